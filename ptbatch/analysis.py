@@ -1,0 +1,121 @@
+"""The analysis of one member: jacking, wedge set, anchoring, service."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ptbatch import stages
+from ptbatch.core.history import new_history
+from ptbatch.core.newton import Tolerance
+from ptbatch.core.step import Case
+from ptbatch.core.work import new_work
+from ptbatch.losses import Losses, analytic_losses, fpj_for_mean
+from ptbatch.member import Member
+from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
+from ptbatch.model.duct import TendonStart
+from ptbatch.postprocess import finished, stopped
+from ptbatch.response import Response
+
+ROWS = 1200  # most steps recorded of one member
+FPE_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True)
+class Run:
+    """One pass through the stages: what it worked on, and the jacking stress with its analytic losses."""
+
+    setup: Setup
+    rig: stages.Rig
+    start: TendonStart
+    losses: Losses
+    fpj: float
+
+
+def analyse(member: Member, *, smooth: bool = True, corrected: bool = True, refine: int = 1) -> Response:
+    """Analyse a member through all four stages.
+
+    smooth: the duct is the profile itself rather than the polygon between beam nodes. corrected: the contact force follows the bisector of the
+    tendon. refine: divide the steps of the live load by this. A member that does not converge raises nothing: see Response.status.
+    """
+    setup = set_up(member, smooth)
+    run = prepare(setup, member.fpj or first_guess(setup), corrected)
+    try:
+        stress(run)
+        if member.fpj is None:
+            run = stress_to_mean(run, corrected)
+        complete = serve(run, refine)
+    except stages.NoEquilibrium as none:
+        return stopped(run, str(none))
+    return finished(run, complete)
+
+
+def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
+    """A member with its tendon slack in the duct, placed for the jacking stress."""
+    member = setup.member
+    losses = analytic_losses(
+        setup.profile, fpj, member.mu, member.K, member.Ep, member.set, member.jack, reversal="mirror"
+    )
+    arrays, state, ends, start = model(setup, losses, corrected)
+    n = len(setup.mesh.x) - 1
+    case = Case(
+        arrays,
+        state,
+        ends,
+        new_work(n, half_bandwidth(setup, start)),
+        new_history(ROWS, n),
+        Tolerance(1e-8, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), 60),
+    )
+    return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)
+
+
+def stress(run: Run) -> None:
+    """Stages 1 to 3."""
+    member, weight = run.setup.member, run.setup.self_weight
+    movement = tuple(member.set - gap for gap in run.start.gap)
+    stages.jack(run.rig, run.fpj * member.Aps, movement, weight)
+    stages.set_wedges(run.rig, member.set, weight)
+    stages.anchor(run.rig, weight)
+
+
+def first_guess(setup: Setup) -> float:
+    """The jacking stress that would leave the mean stress `fpe` on a rigid member."""
+    member = setup.member
+    return fpj_for_mean(setup.profile, member.fpe, member.mu, member.K, member.Ep, member.set, member.jack)
+
+
+def stress_to_mean(run: Run, corrected: bool) -> Run:
+    """Repeat stages 1 to 3 with the jacking stress moved (secant) until the mean stress after anchoring is `fpe`."""
+    wanted = run.setup.member.fpe
+    before = 0.0, 0.0  # no jacking stress, no mean stress
+    for _ in range(8):
+        mean = mean_stress(run)
+        if abs(mean - wanted) <= FPE_TOLERANCE * wanted:
+            break
+        fpj = run.fpj + (wanted - mean) * (run.fpj - before[0]) / (mean - before[1])
+        before = run.fpj, mean
+        run = prepare(run.setup, fpj, corrected)
+        stress(run)
+    return run
+
+
+def mean_stress(run: Run) -> float:
+    """Mean tendon stress over its length in the committed state [MPa]."""
+    return float(np.average(run.rig.case.work.T, weights=run.start.rest) / run.setup.member.Aps)
+
+
+def serve(run: Run, refine: int) -> bool:
+    """Stage 4; whether the live load could be followed to the deflection limit or a rupture."""
+    setup, member = run.setup, run.setup.member
+    bonded = member.bond == "bonded"
+    dof = 5 * setup.mesh.control + 3
+    control = stages.Control(
+        dof,
+        float(run.rig.case.state.u[dof]),
+        setup.mesh.sense,
+        member.deflection_limit,
+        member.deflection_limit / (400 * refine),
+        member.deflection_limit / (60 * refine),
+    )
+    full = setup.self_weight + setup.sustained
+    stages.sustain(run.rig, (setup.self_weight, full), bonded)
+    return stages.load_to_failure(run.rig, full, setup.pattern, control, bonded)

@@ -1,0 +1,364 @@
+"""Internal forces and tangent of the whole member from its elements."""
+
+from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
+from ptbatch.core.beam import beam_forces, beam_tangent
+from ptbatch.core.contact import contact_forces, project, segment
+from ptbatch.core.jit import STEP, kernel
+from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
+from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
+from ptbatch.core.turning import roughness
+
+
+@kernel
+def gather_end(side, model, u, work):
+    """q6 of a tendon end and its neighbour's number."""
+    n = model.x.size - 1
+    node, neighbour, gap = (0, 1, 0) if side == 0 else (n, n, tendon_dof(n + 1))
+    q = work.q6
+    q[0] = u[gap]
+    for i in range(3):
+        q[1 + i] = u[beam_dof(node) + i]
+    at = tendon_dof(neighbour)
+    q[4] = model.tendon_x[neighbour, 0] - model.x[node] + u[at]
+    q[5] = model.tendon_x[neighbour, 1] + u[at + 1]
+
+
+@kernel
+def place_tendon(model, u, work):
+    """Displacements of all tendon nodes from `tendon_x`."""
+    n = model.x.size - 1
+    for j in range(1, n + 1):
+        work.place[j, 0] = u[tendon_dof(j)]
+        work.place[j, 1] = u[tendon_dof(j) + 1]
+    for side in range(2):
+        gather_end(side, model, u, work)
+        a = anchor(side, model)
+        x, y, _, _ = end_position(work.q6, a)
+        j = side * (n + 1)
+        work.place[j, 0] = x
+        work.place[j, 1] = y - a.y
+
+
+@kernel
+def stretch_tendon(model, state, work, with_slope):
+    """Tension, length and direction of all tendon elements; the slope dT/dlength where a tangent will want it."""
+    for e in range(model.rest_length.size):
+        x = model.tendon_x[e + 1, 0] - model.tendon_x[e, 0] + (work.place[e + 1, 0] - work.place[e, 0])
+        y = model.tendon_x[e + 1, 1] - model.tendon_x[e, 1] + (work.place[e + 1, 1] - work.place[e, 1])
+        rest = model.rest_length[e]
+        work.length[e], work.chord[e, 0], work.chord[e, 1] = unit(x, y)
+        strain = stretch(rest, x, y)
+        if with_slope:
+            work.T[e], work.slope[e] = tension_and_slope(strain, state.tendon[e], rest, model.strand)
+        else:
+            work.T[e] = tension(strain, state.tendon[e], model.strand)
+
+
+@kernel
+def gather_contact(j, model, u, work):
+    """q12 of the contact element of tendon node j on its present segment."""
+    m = work.segment[j]
+    q = work.q12
+    x = model.x[m]
+    q[0] = model.tendon_x[j, 0] - x + work.place[j, 0]
+    q[1] = model.tendon_x[j, 1] + work.place[j, 1]
+    for i in range(6):
+        q[2 + i] = u[beam_dof(m) + i] if i < 3 else u[beam_dof(m + 1) + i - 3]
+    q[8] = model.tendon_x[j - 1, 0] - x + work.place[j - 1, 0]
+    q[9] = model.tendon_x[j - 1, 1] + work.place[j - 1, 1]
+    q[10] = model.tendon_x[j + 1, 0] - x + work.place[j + 1, 0]
+    q[11] = model.tendon_x[j + 1, 1] + work.place[j + 1, 1]
+
+
+@kernel
+def search(model, u, work):
+    """Contact search: give each inner tendon node the segment that its projection lies in, and its arc length.
+
+    A node stays within the segments that the band of the matrix has room for; beyond the last of them its segment is prolonged.
+    """
+    n = model.x.size - 1
+    reach = ((work.matrix.shape[1] - 1) // 2 - 9) // 5
+    place_tendon(model, u, work)
+    for j in range(1, n + 1):
+        for _ in range(n):
+            m = work.segment[j]
+            gather_contact(j, model, u, work)
+            seg = segment(m, model)
+            xi = project(work.q12, work.xi[j], seg)
+            if xi > 1.0 and m < min(n - 1, j - 1 + reach):
+                work.segment[j] = m + 1
+                work.xi[j] = (xi - 1.0) * seg.h / (model.x[m + 2] - model.x[m + 1])
+            elif xi < 0.0 and m > max(0, j - 1 - reach):
+                work.segment[j] = m - 1
+                work.xi[j] = 1.0 + xi * seg.h / (model.x[m] - model.x[m - 1])
+            else:
+                work.xi[j] = xi
+                work.s[j] = seg.s + xi * seg.ds
+                break
+        work.hats[j] = work.s[j]
+    work.s[0] = model.duct_s[0] - u[0]
+    work.s[n + 1] = model.duct_s[n] + u[tendon_dof(n + 1)]
+    work.hats[0] = model.duct_s[0]
+    work.hats[n + 1] = model.duct_s[n]
+    roughness(work.hats, model, work.rough)
+
+
+@kernel
+def end_slip(side, mode, model, u, work):
+    """How far tendon has slid outward at an anchor: the gap of a live end, half the neighbour's movement at an anchored one."""
+    n = model.x.size - 1
+    if mode == ANCHORED:
+        return -0.5 * work.s[1] if side == 0 else 0.5 * work.s[n]
+    return u[0] if side == 0 else u[tendon_dof(n + 1)]
+
+
+@kernel
+def add_ends(model, state, u, ends, work):
+    """Forces of the two end elements (jack, wedge or anchorage with the tendon element next to it)."""
+    n = model.x.size - 1
+    for side in range(2):
+        gather_end(side, model, u, work)
+        e = side * n
+        j = side * (n + 1)
+        half_tan = end_forces(
+            work.q6,
+            ends.mode[side],
+            ends.value[side],
+            ends.born[side],
+            work.T[e],
+            0.0,
+            work.length[e],
+            state.stick[j],
+            work.rough[j],
+            anchor(side, model),
+            model.contact,
+            work.f6,
+        )
+        work.half_tan[side] = half_tan
+        slip = end_slip(side, ends.mode[side], model, u, work)
+        work.shear[j] = end_friction(work.T[e], half_tan, slip, state.stick[j], work.rough[j], model.contact)
+        gap = tendon_dof(j)
+        node = beam_dof(side * n)
+        neighbour = tendon_dof(1 + side * (n - 1))
+        work.f[gap] += work.f6[0]
+        for i in range(3):
+            work.f[node + i] += work.f6[1 + i]
+        for i in range(2):
+            work.f[neighbour + i] += work.f6[4 + i]
+
+
+@kernel
+def internal_forces(model, state, u, ends, bonded, work):
+    """work.f at u, on the duct segments found by the last search: the cheap path of the line search."""
+    n = model.x.size - 1
+    place_tendon(model, u, work)
+    stretch_tendon(model, state, work, False)
+    work.f[:] = 0.0
+    for e in range(n):
+        for i in range(6):
+            work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
+        beam_forces(e, model, state, work.q6, work.f6)
+        for i in range(6):
+            work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
+    for e in range(1, n):
+        a = tendon_dof(e)
+        b = tendon_dof(e + 1)
+        for i in range(2):
+            work.f[a + i] -= work.T[e] * work.chord[e, i]
+            work.f[b + i] += work.T[e] * work.chord[e, i]
+    for j in range(1, n + 1):
+        gather_contact(j, model, u, work)
+        seg = segment(work.segment[j], model)
+        work.xi[j] = project(work.q12, work.xi[j], seg)
+        work.normal[j], work.shear[j], work.s[j] = contact_forces(
+            work.q12,
+            work.xi[j],
+            work.T[j - 1],
+            work.T[j],
+            0.0,
+            0.0,
+            work.length[j - 1],
+            work.length[j],
+            state.stick[j],
+            work.rough[j],
+            bonded,
+            seg,
+            model.contact,
+            work.f8,
+        )
+        add_contact_forces(j, work)
+    add_ends(model, state, u, ends, work)
+
+
+@kernel
+def add_contact_forces(j, work):
+    a = tendon_dof(j)
+    m1 = beam_dof(work.segment[j])
+    m2 = beam_dof(work.segment[j] + 1)
+    work.f[a] += work.f8[0]
+    work.f[a + 1] += work.f8[1]
+    for i in range(3):
+        work.f[m1 + i] += work.f8[2 + i]
+        work.f[m2 + i] += work.f8[5 + i]
+
+
+@kernel
+def add_to(matrix, row, column, value):
+    matrix[row, column - row + (matrix.shape[1] - 1) // 2] += value
+
+
+@kernel
+def tangent(model, state, u, ends, bonded, work):
+    """work.f and work.matrix at u, after a fresh contact search."""
+    n = model.x.size - 1
+    search(model, u, work)
+    stretch_tendon(model, state, work, True)
+    work.f[:] = 0.0
+    work.matrix[:] = 0.0
+    for e in range(n):
+        add_beam(e, model, state, u, work)
+    for e in range(1, n):
+        add_truss(e, work)
+    for j in range(1, n + 1):
+        add_contact(j, model, state, u, bonded, work)
+    for side in range(2):
+        add_end_tangent(side, model, state, u, ends, work)
+    add_ends(model, state, u, ends, work)
+
+
+@kernel
+def add_beam(e, model, state, u, work):
+    for i in range(6):
+        work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
+    beam_tangent(e, model, state, work.q6, work.f6, work.k6)
+    for i in range(6):
+        row = (beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i
+        work.f[row] += work.f6[i]
+        for j in range(6):
+            add_to(work.matrix, row, (beam_dof(e) if j < 3 else beam_dof(e + 1) - 3) + j, work.k6[i, j])
+
+
+@kernel
+def add_truss(e, work):
+    a = tendon_dof(e)
+    b = tendon_dof(e + 1)
+    ex = work.chord[e, 0]
+    ey = work.chord[e, 1]
+    truss_tangent(work.T[e], work.slope[e], ex, ey, work.length[e], work.k2)
+    for i in range(2):
+        work.f[a + i] -= work.T[e] * work.chord[e, i]
+        work.f[b + i] += work.T[e] * work.chord[e, i]
+        for j in range(2):
+            k = work.k2[i, j]
+            add_to(work.matrix, a + i, a + j, k)
+            add_to(work.matrix, a + i, b + j, -k)
+            add_to(work.matrix, b + i, a + j, -k)
+            add_to(work.matrix, b + i, b + j, k)
+
+
+@kernel
+def add_contact(j, model, state, u, bonded, work):
+    """Force and tangent of one contact element: a column for each dof by the complex step.
+
+    A common translation makes no force, so the columns of master 2's u and v are minus the sum of the others of their direction.
+    """
+    gather_contact(j, model, u, work)
+    seg = segment(work.segment[j], model)
+    z = work.z12
+    for i in range(12):
+        z[i] = work.q12[i]
+    for column in range(12):
+        if column == 5 or column == 6:
+            continue
+        z[column] = complex(work.q12[column], STEP)
+        N, Tt, s = contact_forces(
+            z,
+            work.xi[j],
+            work.T[j - 1],
+            work.T[j],
+            work.slope[j - 1],
+            work.slope[j],
+            work.length[j - 1],
+            work.length[j],
+            state.stick[j],
+            work.rough[j],
+            bonded,
+            seg,
+            model.contact,
+            work.w8,
+        )
+        z[column] = work.q12[column]
+        for i in range(8):
+            work.k8[i, column] = work.w8[i].imag / STEP
+    for i in range(8):
+        work.f8[i] = work.w8[i].real
+        work.k8[i, 5] = -(work.k8[i, 0] + work.k8[i, 2] + work.k8[i, 8] + work.k8[i, 10])
+        work.k8[i, 6] = -(work.k8[i, 1] + work.k8[i, 3] + work.k8[i, 9] + work.k8[i, 11])
+    work.normal[j] = N.real
+    work.shear[j] = Tt.real
+    work.s[j] = s.real
+    add_contact_forces(j, work)
+    a = tendon_dof(j)
+    m1 = beam_dof(work.segment[j])
+    m2 = beam_dof(work.segment[j] + 1)
+    for i in range(8):
+        row = a + i if i < 2 else (m1 + i - 2 if i < 5 else m2 + i - 5)
+        for column in range(8):
+            at = a + column if column < 2 else (m1 + column - 2 if column < 5 else m2 + column - 5)
+            add_to(work.matrix, row, at, work.k8[i, column])
+        add_neighbour(row, j - 1, work.k8[i, 8], work.k8[i, 9], model, u, work)
+        add_neighbour(row, j + 1, work.k8[i, 10], work.k8[i, 11], model, u, work)
+
+
+@kernel
+def add_neighbour(row, j, kx, ky, model, u, work):
+    """A row's derivative by the position of tendon node j; that of an end node is carried by its gap and its beam node."""
+    n = model.x.size - 1
+    if 0 < j <= n:
+        add_to(work.matrix, row, tendon_dof(j), kx)
+        add_to(work.matrix, row, tendon_dof(j) + 1, ky)
+        return
+    side = 0 if j == 0 else 1
+    gather_end(side, model, u, work)
+    x, y, ox, oy = end_position(work.q6, anchor(side, model))
+    node = beam_dof(side * n)
+    add_to(work.matrix, row, tendon_dof(j), kx * ox + ky * oy)
+    add_to(work.matrix, row, node, kx)
+    add_to(work.matrix, row, node + 1, ky)
+    add_to(work.matrix, row, node + 2, ky * (x - work.q6[1]) - kx * (y - work.q6[2]))
+
+
+@kernel
+def add_end_tangent(side, model, state, u, ends, work):
+    n = model.x.size - 1
+    e = side * n
+    j = side * (n + 1)
+    gather_end(side, model, u, work)
+    z = work.z6
+    for i in range(6):
+        z[i] = work.q6[i]
+    a = anchor(side, model)
+    gap = tendon_dof(j)
+    node = beam_dof(side * n)
+    neighbour = tendon_dof(1 + side * (n - 1))
+    for column in range(6):
+        z[column] = complex(work.q6[column], STEP)
+        end_forces(
+            z,
+            ends.mode[side],
+            ends.value[side],
+            ends.born[side],
+            work.T[e],
+            work.slope[e],
+            work.length[e],
+            state.stick[j],
+            work.rough[j],
+            a,
+            model.contact,
+            work.w6,
+        )
+        z[column] = work.q6[column]
+        at = gap if column == 0 else (node + column - 1 if column < 4 else neighbour + column - 4)
+        for i in range(6):
+            row = gap if i == 0 else (node + i - 1 if i < 4 else neighbour + i - 4)
+            add_to(work.matrix, row, at, work.w6[i].imag / STEP)

@@ -1,0 +1,101 @@
+"""Concrete: stress from strain, tension positive, both branches and their reversal.
+
+On reversal a fibre returns along the secant to the origin from the worst strain that it has seen on that side, and keeps to
+that secant until the worst strain is exceeded: an opened crack does not carry ft again, crushed concrete does not regain
+its strength, and no residual strain is kept. The two sides do not know each other.
+Beyond `crushing_strain` the last stress is held: the member has failed by then (the event is reported and capacity is taken
+no later), and the curve that follows is for information.
+"""
+
+from typing import NamedTuple
+
+from ptbatch.core.jit import kernel, power
+
+HOGNESTAD, PARABOLA_RECTANGLE, POPOVICS, ELASTIC = range(4)
+NO_TENSION, SOFTENING, STIFFENING = range(3)
+
+
+class Concrete(NamedTuple):
+    """Parameters of the two laws; stresses in MPa, strains and stress positive here for either branch."""
+
+    law: int
+    fc: float
+    Ec: float
+    eps_c: float  # strain at fc
+    exponent: float  # of parabola-rectangle (n) or popovics (r)
+    crushing_strain: float
+    tension_law: int
+    ft: float
+    eps_cr: float
+    eps_end: float  # where the tension branch reaches zero
+
+
+@kernel
+def compression(x, c):
+    """Envelope stress (positive) at a compressive strain x >= 0.
+
+    Hognestad (1951): parabola to fc, straight to 0.85 fc at the crushing strain. EN 1992-1-1 (3.17): parabola-rectangle.
+    Popovics (1973) in Collins and Mitchell's form.
+    """
+    if c.law == ELASTIC:
+        return c.Ec * x
+    if x.real > c.crushing_strain:
+        x = c.crushing_strain + 0.0 * x
+    ratio = x / c.eps_c
+    if c.law == HOGNESTAD:
+        if ratio.real <= 1.0:
+            return c.fc * ratio * (2.0 - ratio)
+        return c.fc * (1.0 - 0.15 * (x - c.eps_c) / (c.crushing_strain - c.eps_c))
+    if c.law == PARABOLA_RECTANGLE:
+        if ratio.real >= 1.0:
+            return c.fc + 0.0 * x
+        if c.exponent == 2.0:
+            return c.fc * ratio * (2.0 - ratio)
+        return c.fc * (1.0 - power(1.0 - ratio, c.exponent))
+    if ratio.real == 0.0:
+        return c.fc * c.exponent / (c.exponent - 1.0) * ratio
+    return c.fc * c.exponent * ratio / (c.exponent - 1.0 + power(ratio, c.exponent))
+
+
+@kernel
+def tension(x, c):
+    """Envelope stress at a tensile strain x >= 0.
+
+    `softening`: straight from ft to zero at eps_end. `stiffening`: Nayal and Rasheed (2006) after Gilbert and Warner (1978), 0.8 ft
+    just after cracking, 0.45 ft at 4 eps_cr, zero at 10 eps_cr, stretched to eps_end; the sudden drop to 0.8 ft is spread over
+    the first quarter of eps_cr, so that stress is a function of strain.
+    """
+    if c.law == ELASTIC:
+        return c.Ec * x
+    if c.tension_law == NO_TENSION or x.real >= c.eps_end:
+        return 0.0 * x
+    if x.real <= c.eps_cr:
+        return c.ft / c.eps_cr * x
+    if c.tension_law == SOFTENING:
+        return c.ft * (c.eps_end - x) / (c.eps_end - c.eps_cr)
+    knee = c.eps_cr + (c.eps_end - c.eps_cr) / 36.0
+    middle = c.eps_cr + (c.eps_end - c.eps_cr) / 3.0
+    if x.real <= knee:
+        return c.ft * (1.0 - 0.23 * (x - c.eps_cr) / (knee - c.eps_cr))
+    if x.real <= middle:
+        return c.ft * (0.77 - 0.32 * (x - knee) / (middle - knee))
+    return c.ft * 0.45 * (c.eps_end - x) / (c.eps_end - middle)
+
+
+@kernel
+def concrete_stress(eps, past, c):
+    """Stress of a fibre; past = (worst tension, its secant, worst compression, its secant), strains as magnitudes."""
+    if eps.real >= 0.0:
+        return past[1] * eps if eps.real < past[0] else tension(eps, c)
+    return past[3] * eps if -eps.real < past[2] else -compression(-eps, c)
+
+
+@kernel
+def commit_concrete(eps, past, c):
+    """Move the worst strain and its secant on where eps exceeds it."""
+    if eps > past[0]:
+        past[0] = eps
+        past[1] = tension(eps, c) / eps
+    elif -eps > past[2]:
+        past[2] = -eps
+        past[3] = compression(-eps, c) / -eps

@@ -1,0 +1,167 @@
+"""Modified node-to-segment contact, eqs (1)-(23): a tendon node slides with Coulomb friction along its duct segment.
+
+The segment is tied to the beam nodes at its ends (masters); it is either the straight line between the two duct nodes (the
+paper's) or the cubic with the duct's own directions there, which is the profile itself. Degrees of freedom q (12,), those of the
+paper: slave (x, y), master 1 and 2 (u, v, theta), tendon neighbours (x, y); positions relative to the first beam node.
+
+Three things go beyond the paper. The force is turned as a whole: N along the bisector n' of the tendon (the paper's P_n n + P_cor t is
+the same vector), friction across it, so that one kink gives T2/T1 = (1 - mu tan(theta/2)) / (1 + mu tan(theta/2)) exactly. Wobble and the turning
+that a node does not feel (opposite curvatures that cancel in its kink) add friction `rough` times the mean tendon force. The
+moment of the friction force about the sheathing is passed on to the masters.
+"""
+
+from typing import NamedTuple
+
+from ptbatch.core.embedding import arm, turned
+from ptbatch.core.jit import kernel, root
+
+
+class Segment(NamedTuple):
+    """One duct segment at rest: length h along the axis, heights and slopes at its ends, arc length at its start and over it."""
+
+    h: float
+    y1: float
+    y2: float
+    slope1: float
+    slope2: float
+    s: float
+    ds: float
+    smooth: bool
+
+
+@kernel
+def segment(m, model):
+    return Segment(
+        model.x[m + 1] - model.x[m],
+        model.duct_y[m],
+        model.duct_y[m + 1],
+        model.duct_slope[m, 0],
+        model.duct_slope[m, 1],
+        model.duct_s[m],
+        model.duct_s[m + 1] - model.duct_s[m],
+        model.contact.smooth,
+    )
+
+
+@kernel
+def shape(xi, smooth):
+    """Weights of (point 1, direction 1, point 2, direction 2), and of their first and second derivatives by xi."""
+    if not smooth:
+        zero = 0.0 * xi
+        return (1.0 - xi, zero, xi, zero), (zero - 1.0, zero, zero + 1.0, zero), (zero, zero, zero, zero)
+    x2 = xi * xi
+    x3 = x2 * xi
+    return (
+        (1.0 - 3.0 * x2 + 2.0 * x3, xi - 2.0 * x2 + x3, 3.0 * x2 - 2.0 * x3, x3 - x2),
+        (6.0 * x2 - 6.0 * xi, 1.0 - 4.0 * xi + 3.0 * x2, 6.0 * xi - 6.0 * x2, 3.0 * x2 - 2.0 * xi),
+        (12.0 * xi - 6.0, 6.0 * xi - 4.0, 6.0 - 12.0 * xi, 6.0 * xi - 2.0),
+    )
+
+
+@kernel
+def masters(q, seg):
+    """Duct (point 1, direction 1, point 2, direction 2) as x and y tuples, from the master dofs q[2:8]."""
+    ax1, ay1 = arm(seg.y1, q[4])
+    ax2, ay2 = arm(seg.y2, q[7])
+    dx1, dy1 = turned(seg.h, seg.h * seg.slope1, q[4])
+    dx2, dy2 = turned(seg.h, seg.h * seg.slope2, q[7])
+    return (q[2] + ax1, dx1, seg.h + q[5] + ax2, dx2), (q[3] + ay1, dy1, q[6] + ay2, dy2)
+
+
+@kernel
+def dot4(w, p):
+    return w[0] * p[0] + w[1] * p[1] + w[2] * p[2] + w[3] * p[3]
+
+
+@kernel
+def projection_step(q, xi, seg):
+    """One Newton step of eq. (2): the root of (x_s - p(xi)) . p'(xi)."""
+    px, py = masters(q, seg)
+    w, w1, w2 = shape(xi, seg.smooth)
+    rx = q[0] - dot4(w, px)
+    ry = q[1] - dot4(w, py)
+    tx = dot4(w1, px)
+    ty = dot4(w1, py)
+    bend = rx * dot4(w2, px) + ry * dot4(w2, py)
+    return xi + (rx * tx + ry * ty) / (tx * tx + ty * ty - bend)
+
+
+@kernel
+def project(q, xi, seg):
+    """xi of the slave's projection, from a first guess; it may lie outside 0..1, which the contact search then mends."""
+    for _ in range(20):
+        new = projection_step(q, xi, seg)
+        if abs(new - xi) < 1e-14:
+            return new
+        xi = new
+    return xi
+
+
+@kernel
+def friction(s, stick, N, T, rough, bonded, c):
+    """Coulomb's return mapping, eq. (23): friction force along +s on the duct for a slip spring that starts at `stick`."""
+    trial = c.tangential * (s - stick)
+    if bonded:
+        return trial
+    capacity = c.mu * N + rough * T
+    if abs(trial.real) <= capacity.real:
+        return trial
+    return capacity if trial.real > 0.0 else -capacity
+
+
+@kernel
+def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, stick, rough, bonded, seg, c, f):
+    """Forces f (8,) on slave and masters; also returned: (N, T_t, s).
+
+    xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are the tensions of the tendon
+    elements on the two sides with their slopes by length, which carries theirs.
+    """
+    xi_c = projection_step(q, xi, seg)
+    px, py = masters(q, seg)
+    w, w1, _ = shape(xi_c, seg.smooth)
+    rx = q[0] - dot4(w, px)
+    ry = q[1] - dot4(w, py)
+    tx = dot4(w1, px)
+    ty = dot4(w1, py)
+    norm = root(tx * tx + ty * ty)
+    tx = tx / norm
+    ty = ty / norm
+    P = c.normal * (ry * tx - rx * ty)  # eq. (22), both signs: the duct holds the tendon on both sides
+
+    ax = q[0] - q[8]
+    ay = q[1] - q[9]
+    bx = q[10] - q[0]
+    by = q[11] - q[1]
+    la = root(ax * ax + ay * ay)
+    lb = root(bx * bx + by * by)
+    tension = 0.5 * (T3 + slope3 * (la - length3) + T4 + slope4 * (lb - length4))
+    if c.corrected:  # t' across the bisector: eqs (16)-(20) without their singular cases
+        ux = ax / la + bx / lb
+        uy = ay / la + by / lb
+        norm = root(ux * ux + uy * uy)
+        ux = ux / norm
+        uy = uy / norm
+        N = P / (ux * tx + uy * ty)
+    else:
+        ux = tx
+        uy = ty
+        N = P
+    s = seg.s + xi_c * seg.ds
+    size = N if N.real >= 0.0 else -N
+    Tt = friction(s, stick, size, tension, rough, bonded, c)
+    fx = Tt * ux - N * uy
+    fy = Tt * uy + N * ux
+    f[0] = fx
+    f[1] = fy
+    f[2] = -fx * w[0]
+    f[3] = -fy * w[0]
+    f[5] = -fx * w[2]
+    f[6] = -fy * w[2]
+    couple = rx * fy - ry * fx
+    ax1 = px[0] - q[2]
+    ay1 = py[0] - q[3]
+    ax2 = px[2] - seg.h - q[5]
+    ay2 = py[2] - q[6]
+    f[4] = -(fy * (w[0] * ax1 + w[1] * px[1]) - fx * (w[0] * ay1 + w[1] * py[1]) + (1.0 - xi_c) * couple)
+    f[7] = -(fy * (w[2] * ax2 + w[3] * px[3]) - fx * (w[2] * ay2 + w[3] * py[3]) + xi_c * couple)
+    return N, Tt, s

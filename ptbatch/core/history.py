@@ -1,0 +1,103 @@
+"""The record of accepted steps, and how a step is accepted: the trial becomes the committed state."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ptbatch.core.assembly import end_slip
+from ptbatch.core.beam import commit_beam
+from ptbatch.core.jit import kernel
+from ptbatch.core.model import beam_dof, tendon_dof
+from ptbatch.core.reference import reference
+
+
+class History(NamedTuple):
+    """One row an accepted step, `count[0]` of them."""
+
+    count: np.ndarray  # (1,) int
+    stage: np.ndarray  # (rows,) int
+    factor: np.ndarray  # (rows,) of the live pattern
+    iterations: np.ndarray  # (rows,) int
+    residual: np.ndarray  # (rows,) relative
+    u: np.ndarray  # (rows, ndof)
+    f: np.ndarray  # (rows, ndof) internal forces; at a support its reaction less the load there
+    T: np.ndarray  # (rows, n+1)
+    s: np.ndarray  # (rows, n+2) arc length of the tendon nodes
+    anchor: np.ndarray  # (rows, 2) force at the two anchors
+
+
+HistoryRef = reference(History, "HistoryRef")
+
+
+def new_history(rows: int, n: int) -> History:
+    """Room for that many steps of n beam elements."""
+    ndof = 5 * n + 7
+    return History(
+        np.zeros(1, np.int64),
+        np.zeros(rows, np.int64),
+        np.zeros(rows),
+        np.zeros(rows, np.int64),
+        np.zeros(rows),
+        np.zeros((rows, ndof)),
+        np.zeros((rows, ndof)),
+        np.zeros((rows, n + 1)),
+        np.zeros((rows, n + 2)),
+        np.zeros((rows, 2)),
+    )
+
+
+@kernel
+def record(stage, factor, iterations, residual, work, history):
+    row = history.count[0]
+    last = work.T.size - 1
+    history.stage[row] = stage
+    history.factor[row] = factor
+    history.iterations[row] = iterations
+    history.residual[row] = residual
+    history.u[row] = work.trial
+    history.f[row] = work.f
+    history.T[row] = work.T
+    history.s[row] = work.s
+    history.anchor[row, 0] = work.T[0] + work.shear[0]
+    history.anchor[row, 1] = work.T[last] + work.shear[last + 1]
+    history.count[0] = row + 1
+
+
+@kernel
+def element_displacements(e, u, q):
+    for i in range(3):
+        q[i] = u[beam_dof(e) + i]
+        q[3 + i] = u[beam_dof(e + 1) + i]
+
+
+@kernel
+def commit(model, state, ends, bonded, work):
+    """Make the trial the committed state: fibres, bars, tendon, contact segments and friction springs."""
+    n = model.x.size - 1
+    state.u[:] = work.trial
+    for e in range(n):
+        element_displacements(e, state.u, work.q6)
+        commit_beam(e, model, state, work.q6)
+    for e in range(n + 1):
+        strain = (work.length[e] - model.rest_length[e]) / model.rest_length[e]
+        state.tendon[e] = max(state.tendon[e], strain)
+    state.segment[:] = work.segment
+    if not bonded:
+        for j in range(1, n + 1):
+            state.stick[j] = work.s[j] - work.shear[j] / model.contact.tangential
+    for side in range(2):
+        j = side * (n + 1)
+        slip = end_slip(side, ends.mode[side], model, state.u, work)
+        state.stick[j] = slip - work.shear[j] / model.contact.tangential
+
+
+@kernel
+def rewind(state, work):
+    """Start a trial from the committed state."""
+    work.trial[:] = state.u
+    work.segment[:] = state.segment
+
+
+@kernel
+def gap_of(side, model, state):
+    return state.u[tendon_dof(side * (model.x.size))]

@@ -1,0 +1,47 @@
+"""One step of a stage: try it, look at it, accept it. What the stages call, and all that they call."""
+
+from typing import NamedTuple
+
+from ptbatch.core.history import History, HistoryRef, commit, record, rewind
+from ptbatch.core.jit import kernel
+from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
+from ptbatch.core.newton import Target, Tolerance, equilibrate
+from ptbatch.core.reference import reference
+from ptbatch.core.work import Work, WorkRef
+
+
+class Case(NamedTuple):
+    """One analysis: the member, its committed state and what drives its ends, scratch and record."""
+
+    model: Model
+    state: State
+    ends: Ends
+    work: Work
+    history: History
+    tolerance: Tolerance
+
+
+CaseRef = reference(Case, "CaseRef")
+
+
+@kernel
+def open_case(model, state, ends, work, history, tolerance):
+    """The case as the functions below take it; it shares the arrays that it was given."""
+    return CaseRef(
+        ModelRef(*model), StateRef(*state), EndsRef(*ends), WorkRef(*work), HistoryRef(*history), tolerance
+    )
+
+
+@kernel
+def try_step(case, fixed, pattern, dof, value, factor, bonded):
+    """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations, relative residual)."""
+    rewind(case.state, case.work)
+    target = Target(fixed, pattern, dof, value)
+    return equilibrate(case.model, case.state, target, factor, case.ends, bonded, case.work, case.tolerance)
+
+
+@kernel
+def accept(case, stage, factor, iterations, residual, bonded):
+    """Make the step that was tried last the committed state and record it."""
+    commit(case.model, case.state, case.ends, bonded, case.work)
+    record(stage, factor, iterations, residual, case.work, case.history)

@@ -1,0 +1,42 @@
+"""Tendon element: a two-node truss on its current chord."""
+
+import numpy as np
+
+from ptbatch.core.jit import STEP, kernel, root
+from ptbatch.core.tendon import tendon_stress
+
+
+@kernel
+def stretch(rest, x, y):
+    """Strain of an element whose ends are (x, y) apart."""
+    return (root(x * x + y * y) - rest) / rest
+
+
+@kernel
+def tension(strain, worst, strand):
+    """Axial force in N."""
+    return strand.Aps * tendon_stress(strain, worst, strand)
+
+
+@kernel
+def tension_and_slope(strain, worst, rest, strand):
+    """(T, dT/dlength) by the complex step."""
+    T = tension(complex(strain, STEP), worst, strand)
+    return T.real, T.imag / STEP / rest
+
+
+@kernel
+def truss_tangent(T, slope, ex, ey, length, k):
+    """Tangent block k (2, 2) of the force on the far node by its own position: material along the chord, T / length across."""
+    across = T / length
+    k[0, 0] = slope * ex * ex + across * ey * ey
+    k[0, 1] = (slope - across) * ex * ey
+    k[1, 0] = k[0, 1]
+    k[1, 1] = slope * ey * ey + across * ex * ex
+
+
+@kernel
+def unit(x, y):
+    """(length, ex, ey)."""
+    length = np.sqrt(x * x + y * y)
+    return length, x / length, y / length

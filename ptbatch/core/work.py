@@ -1,0 +1,78 @@
+"""Scratch arrays of one analysis, allocated once: nothing is allocated inside an iteration."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ptbatch.core.reference import reference
+
+
+class Work(NamedTuple):
+    """n beam elements, ndof = 5 n + 7, half = half bandwidth."""
+
+    f: np.ndarray  # (ndof,) internal forces
+    residual: np.ndarray  # (ndof,)
+    trial: np.ndarray  # (ndof,) displacements under iteration
+    before: np.ndarray  # (ndof,) those that a line search starts from
+    du: np.ndarray  # (ndof,)
+    du_load: np.ndarray  # (ndof,) response to the live pattern
+    matrix: np.ndarray  # (ndof, 2 half + 1)
+    multipliers: np.ndarray  # (ndof, half)
+    pivots: np.ndarray  # (ndof,) int
+    place: np.ndarray  # (n+2, 2) tendon nodes' displacements
+    T: np.ndarray  # (n+1,) tendon element: tension,
+    slope: np.ndarray  # (n+1,) its derivative by length,
+    length: np.ndarray  # (n+1,) current length,
+    chord: np.ndarray  # (n+1, 2) and direction
+    segment: np.ndarray  # (n+2,) int
+    xi: np.ndarray  # (n+2,)
+    s: np.ndarray  # (n+2,)
+    hats: np.ndarray  # (n+2,) s with the anchors in place of the ends
+    rough: np.ndarray  # (n+2,)
+    normal: np.ndarray  # (n+2,) contact force N
+    shear: np.ndarray  # (n+2,) contact force T_t; at the ends J - T
+    half_tan: np.ndarray  # (2,) tan(theta/2) of the kinks at the anchors
+    f6: np.ndarray
+    q6: np.ndarray
+    k6: np.ndarray  # (6, 6)
+    k2: np.ndarray  # (2, 2)
+    q12: np.ndarray
+    f8: np.ndarray
+    k8: np.ndarray  # (8, 12)
+    z6: np.ndarray  # complex
+    w6: np.ndarray
+    z12: np.ndarray
+    w8: np.ndarray
+
+
+WorkRef = reference(Work, "WorkRef")
+
+
+def new_work(n: int, half: int) -> Work:
+    """Work for n beam elements and a half bandwidth."""
+    ndof = 5 * n + 7
+    vectors = [np.zeros(ndof) for _ in range(6)]
+    complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6, 12, 8)]
+    return Work(
+        *vectors,
+        np.zeros((ndof, 2 * half + 1)),
+        np.zeros((ndof, half)),
+        np.zeros(ndof, np.int64),
+        np.zeros((n + 2, 2)),
+        np.zeros(n + 1),
+        np.zeros(n + 1),
+        np.zeros(n + 1),
+        np.zeros((n + 1, 2)),
+        np.zeros(n + 2, np.int64),
+        np.full(n + 2, 0.5),
+        *[np.zeros(n + 2) for _ in range(5)],
+        np.zeros(2),
+        np.zeros(6),
+        np.zeros(6),
+        np.zeros((6, 6)),
+        np.zeros((2, 2)),
+        np.zeros(12),
+        np.zeros(8),
+        np.zeros((8, 12)),
+        *complex_scratch,
+    )

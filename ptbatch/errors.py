@@ -1,0 +1,13 @@
+"""Errors whose message is meant for the person at the keyboard."""
+
+
+class PtbatchError(Exception):
+    """Something that the user can put right; the message says what and how."""
+
+
+class ReadError(PtbatchError):
+    """A workbook that cannot be read at all."""
+
+
+class WriteError(PtbatchError):
+    """Results that cannot be written."""

@@ -1,0 +1,126 @@
+"""Cracking, yield, peak and failure, found on the recorded curve."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ptbatch.core.beam import GAUSS
+from ptbatch.core.concrete import ELASTIC, NO_TENSION
+from ptbatch.core.model import Model
+from ptbatch.core.tendon import ELASTIC_TENDON
+from ptbatch.response import Curve, Event
+from ptbatch.statics import node_values
+
+Array = NDArray[np.float64]
+
+CRUSHING, TENDON_RUPTURE, BAR_RUPTURE = "concrete crushing", "tendon rupture", "bar rupture"
+REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5 %
+
+
+@dataclass(frozen=True)
+class Service:
+    """The service stage as recorded: u (steps, ndof), T (steps, tendon elements) and the curve, row 0 the anchored state."""
+
+    model: Model
+    u: Array
+    T: Array
+    curve: Curve
+
+
+def find_events(service: Service) -> tuple[tuple[Event, ...], str]:
+    """All events in their order, and the name of the first failure ('' where no material reached its limit).
+
+    The peak is the largest load up to the first failure: a law that holds its last stress beyond the crushing strain lends no capacity.
+    """
+    curve = service.curve
+    measures = _measures(service)
+    events = []
+    for name, (measure, place) in measures.items():
+        step = _crossing(measure, REACHED if name in (CRUSHING, TENDON_RUPTURE, BAR_RUPTURE) else 1.0)
+        if step is not None:
+            x = place[int(np.ceil(step))]
+            events.append(Event(name, step, *_at(step, curve), float(x)))
+    failures = [event for event in events if event.name in (CRUSHING, TENDON_RUPTURE, BAR_RUPTURE)]
+    first = min(failures, key=lambda event: event.step, default=None)
+    upto = len(curve.load) if first is None else int(np.ceil(first.step)) + 1
+    peak = int(np.argmax(curve.load[:upto]))
+    moment = np.nan if first is None else first.place
+    events.append(Event("peak", float(peak), float(curve.load[peak]), float(curve.deflection[peak]), moment))
+    return tuple(sorted(events, key=lambda event: event.step)), "" if first is None else first.name
+
+
+def _at(step: float, curve: Curve) -> tuple[float, float]:
+    """(load, deflection) at a fractional row."""
+    rows = np.arange(len(curve.load))
+    return float(np.interp(step, rows, curve.load)), float(np.interp(step, rows, curve.deflection))
+
+
+def _crossing(measure: Array, limit: float) -> float | None:
+    """Fractional row where a measure first reaches its limit."""
+    over = np.flatnonzero(measure >= limit)
+    if not over.size:
+        return None
+    i = int(over[0])
+    if i == 0:
+        return 0.0
+    return i - 1 + float((limit - measure[i - 1]) / (measure[i] - measure[i - 1]))
+
+
+def _measures(service: Service) -> dict[str, tuple[Array, Array]]:
+    """By event: (largest demand over limit, place of it) for each row."""
+    model = service.model
+    concrete, steel, strand = model.concrete, model.steel, model.strand
+    eps0, kappa, place = sections(model.x, service.u)
+    low, high = eps0 - model.bottom * kappa, eps0 - model.top * kappa
+    measures = {}
+    if concrete.law != ELASTIC:
+        eps_cr = 0.0 if concrete.tension_law == NO_TENSION else concrete.eps_cr
+        measures["cracking"] = _largest(1.0 + (np.maximum(low, high) - eps_cr) / 1e-3, place)
+        measures[CRUSHING] = _largest(-np.minimum(low, high) / concrete.crushing_strain, place)
+    stress = service.T / strand.Aps
+    tendon_yield = stress.max(axis=1) / strand.fpy, np.zeros(len(stress))
+    if strand.law != ELASTIC_TENDON:
+        measures["yield"] = tendon_yield
+        strain = _tendon_strain(service)
+        measures[TENDON_RUPTURE] = strain.max(axis=1) / strand.epu, np.zeros(len(stress))
+    if model.bar_y.size:
+        bars = np.abs(eps0[..., None] - model.bar_y * kappa[..., None]) * (model.bar_area[:, None, :] > 0.0)
+        bar_yield, at = _largest((bars * steel.Es / model.bar_fy).max(axis=-1), place)
+        measures[BAR_RUPTURE] = _largest(bars.max(axis=-1) / steel.esu, place)
+        if "yield" in measures:
+            bar_yield = np.maximum(bar_yield, tendon_yield[0])
+        measures["yield"] = bar_yield, at
+    return measures
+
+
+def _tendon_strain(service: Service) -> Array:
+    """Strain of the tendon elements for first loading, from the stress by inverting nothing: the chord lengths are not recorded,
+    so the largest strain follows from the envelope."""
+    from ptbatch.core.tendon import envelope
+
+    strand = service.model.strand
+    eps = np.linspace(0.0, 1.1 * strand.epu, 2201)
+    stress = np.array([envelope.py_func(e, strand) for e in eps])
+    return np.interp(service.T / strand.Aps, stress, eps)
+
+
+def sections(x: Array, u: Array) -> tuple[Array, Array, Array]:
+    """(eps0, kappa) of the Gauss sections (rows, n, 2) for displacements u (rows, ndof), and their places (n, 2)."""
+    length = np.diff(x)
+    d = [np.diff(node_values(u, len(x), i), axis=-1) for i in range(2)]
+    theta = node_values(u, len(x), 2)
+    now = np.hypot(length + d[0], d[1])
+    eps0 = (2.0 * length * d[0] + d[0] ** 2 + d[1] ** 2) / (now + length) / length
+    turn = np.arctan2(d[1], length + d[0])
+    one, two = theta[..., :-1] - turn, theta[..., 1:] - turn
+    kappa = np.stack([((6.0 * xi - 4.0) * one + (6.0 * xi - 2.0) * two) / length for xi in GAUSS], axis=-1)
+    place = x[:-1, None] + length[:, None] * np.array(GAUSS)
+    return np.repeat(eps0[..., None], 2, axis=-1), kappa, place
+
+
+def _largest(measure: Array, place: Array) -> tuple[Array, Array]:
+    """Largest over the sections of each row, and where."""
+    flat = measure.reshape(len(measure), -1)
+    at = flat.argmax(axis=1)
+    return flat.max(axis=1), place.ravel()[at]

@@ -1,0 +1,260 @@
+"""Analytic friction and wedge-set losses: eq. (38) of the paper on the exact angle of the tendon.
+
+f(x) = mu * angle + K * arc length is the friction exponent from the left end; jacking from there leaves
+fpj exp(-f). When the wedge sets, the tendon slips back as far as a point that stays still, friction turns
+round, and the stress rises from the anchor to that point. The area between both curves over the arc length is
+Ep * set.
+
+Every reversed curve is level * growth + offset, so that for a given still point the area makes the level the
+root of a linear equation. One bracketed search then finds the still point: where the reversed curve meets
+what lies beyond it, the jacked curve or the reversed curve of the other live end. If it meets nothing, all of
+the tendon moves.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import brentq
+
+from ptbatch.geometry.profile import GAUSS_POINTS, GAUSS_WEIGHTS, Array
+
+End = Literal["left", "right"]
+Reversal = Literal["friction", "mirror"]
+
+LIVE_ENDS: dict[str, tuple[End, ...]] = {"left": ("left",), "right": ("right",), "both": ("left", "right")}
+
+
+class Path(Protocol):
+    """What the losses ask of a tendon, smooth between its breaks; `Profile` has it."""
+
+    @property
+    def breaks(self) -> Array: ...
+    def slope(self, x: ArrayLike) -> Array: ...
+    def angle(self, x: ArrayLike) -> Array: ...
+    def arc_length(self, x: ArrayLike) -> Array: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Friction:
+    """Curves along a tendon as ratios to fpj, and their integrals over its arc length."""
+
+    path: Path
+    mu: float
+    K: float
+    live: tuple[End, ...]
+    reversal: Reversal = "friction"
+
+    @cached_property
+    def ends(self) -> dict[End, float]:
+        """x of both ends [mm]."""
+        return {"left": float(self.path.breaks[0]), "right": float(self.path.breaks[-1])}
+
+    @cached_property
+    def length(self) -> float:
+        """Arc length of the tendon [mm]."""
+        return float(self.path.arc_length(self.ends["right"]))
+
+    @cached_property
+    def total(self) -> float:
+        """Friction exponent of the whole tendon."""
+        return float(self.exponent(self.ends["right"], "left"))
+
+    def exponent(self, x: ArrayLike, end: End) -> Array:
+        """Friction exponent between x and an end."""
+        f = self.mu * self.path.angle(x) + self.K * self.path.arc_length(x)
+        return f if end == "left" else self.total - f
+
+    def jacked(self, x: ArrayLike) -> Array:
+        """The larger of the one-end curves of the live ends."""
+        return np.exp(-np.minimum.reduce([self.exponent(x, end) for end in self.live]))
+
+    def reversed(self, x: ArrayLike, end: End) -> tuple[Array, Array]:
+        """Growth and offset of the curve that reversed friction allows from an end."""
+        f = self.exponent(x, end)
+        if self.reversal == "friction":
+            return np.exp(f), np.zeros_like(f)
+        # It climbs as the jacked curve falls, and with it where the other jack has stressed the tendon.
+        jacked, beyond = self.jacked(x), (f > self.total / 2.0) & (len(self.live) == 2)
+        return np.ones_like(f), np.where(beyond, jacked - 2.0 * np.exp(-self.total / 2.0), -jacked)
+
+    @cached_property
+    def stations(self) -> Array:
+        """Points between which all is smooth: the breaks and, for two live ends, where their curves cross."""
+        if len(self.live) == 1:
+            return self.path.breaks
+        crossing = brentq(lambda x: self.exponent(x, "left") - self.total / 2.0, *self.ends.values())
+        return np.unique(np.append(self.path.breaks, crossing))
+
+    def quadrature(self, start: float, stop: float) -> tuple[Array, Array]:
+        """x and weights of an integral over the arc length from x = start to stop: Gauss between stations."""
+        inside = (self.stations > start) & (self.stations < stop)
+        edges = np.concatenate([[start], self.stations[inside], [stop]])
+        width = np.diff(edges)[:, None]
+        x = (edges[:-1, None] + width * GAUSS_POINTS).ravel()
+        return x, (width * GAUSS_WEIGHTS).ravel() * np.hypot(1.0, self.path.slope(x))
+
+    @cached_property
+    def jacked_area(self) -> float:
+        """Area under the jacked curve [mm]."""
+        x, weights = self.quadrature(*self.ends.values())
+        return float(self.jacked(x) @ weights)
+
+
+@dataclass(frozen=True, eq=False)
+class Losses:
+    """Stress along a tendon after jacking and after the wedge set.
+
+    level: of the reversed curve of each live end, see the top of the module.
+    still: x [mm] of the point up to which the set at each live end moves the tendon.
+    """
+
+    friction: Friction
+    fpj: float
+    Ep: float
+    wedge_set: float
+    level: dict[End, float]
+    still: dict[End, float]
+
+    def stress_jacked(self, x: ArrayLike) -> Array:
+        """Stress at x while jacking [MPa], the shape of x."""
+        return self.fpj * self.friction.jacked(x)
+
+    def stress_anchored(self, x: ArrayLike) -> Array:
+        """Stress at x after the wedge set [MPa], the shape of x."""
+        curves = [self.friction.jacked(x)]
+        for end, level in self.level.items():
+            growth, offset = self.friction.reversed(x, end)
+            curves.append(level * growth + offset)
+        return self.fpj * np.minimum.reduce(curves)
+
+    @property
+    def set_length(self) -> float:
+        """Arc length [mm] that the set moves, from the live end (the left one of two)."""
+        end, x = next(iter(self.still.items()))
+        to_left = float(self.friction.path.arc_length(x))
+        return to_left if end == "left" else self.friction.length - to_left
+
+    @property
+    def loss_jacking_end(self) -> float:
+        """1 - anchored / fpj at the live end (the left one of two)."""
+        return 1.0 - float(self.stress_anchored(self.friction.ends[self.friction.live[0]])) / self.fpj
+
+    @property
+    def loss_fixed_end(self) -> float:
+        """1 - anchored / fpj at the dead end, or where the stress is least if both ends are live."""
+        ends = self.friction.ends
+        x = np.array([x for end, x in ends.items() if end not in self.friction.live])
+        if not x.size:
+            # Just beside each station: half way through a kink is no stress of the tendon on either side.
+            x = np.array([np.nextafter(self.friction.stations, side) for side in ends.values()])
+        return 1.0 - float(np.min(self.stress_anchored(x))) / self.fpj
+
+    @property
+    def elongation_before(self) -> float:
+        """Elongation of the tendon while jacking [mm], the sum over the live ends."""
+        return self.fpj * self.friction.jacked_area / self.Ep
+
+    @property
+    def elongation_after(self) -> float:
+        """Elongation after the set [mm]: each live end has given back the set, however far that is felt."""
+        return self.elongation_before - self.wedge_set * len(self.level)
+
+    @property
+    def mean_anchored(self) -> float:
+        """Mean stress over the arc length after the set [MPa]."""
+        return self.Ep * self.elongation_after / self.friction.length
+
+
+def analytic_losses(
+    path: Path,
+    fpj: float,
+    mu: float,
+    K: float,
+    Ep: float,
+    wedge_set: float,
+    jack: str,
+    reversal: Reversal = "friction",
+) -> Losses:
+    """Friction and wedge-set losses of a tendon.
+
+    fpj, Ep [MPa]; mu [1/rad]; K [1/mm of arc length]; wedge_set [mm] at each live end; jack: left, right or
+    both. reversal: `friction` lets the stress grow as exp(f) from the anchor, Coulomb friction of the lowered
+    force; `mirror` is the textbook construction, the jacked curve upside down, friction of the jacked force.
+    Source: eq. (38); area between both curves = Ep * set on each side of the still point.
+    Raises ValueError if jack is none of the three or the set leaves the tendon slack.
+    """
+    friction = Friction(path, mu, K, _live_ends(jack), reversal)
+    removed = Ep * wedge_set / fpj
+    still = {end: _still_point(friction, end, removed) for end in friction.live}
+    if len(still) == 2 and still["left"] > still["right"]:
+        still = dict.fromkeys(still, _meeting_point(friction, removed))
+    level = {end: _level(friction, end, x, removed) for end, x in still.items()}
+    losses = Losses(friction, fpj, Ep, wedge_set, level, still)
+    if min(losses.stress_anchored(friction.ends[end]) for end in friction.live) <= 0.0:
+        raise ValueError(
+            f"set: {wedge_set:g} mm at each live end leaves the tendon slack, "
+            f"jacking elongates it by {losses.elongation_before:.4g} mm only"
+        )
+    return losses
+
+
+def fpj_for_mean(
+    path: Path, fpe: float, mu: float, K: float, Ep: float, wedge_set: float, jack: str
+) -> float:
+    """Jacking stress [MPa] that leaves the mean stress fpe [MPa] after anchoring; see `analytic_losses`.
+
+    Each set takes Ep * set off the area under the jacked curve, wherever it does so: no iteration.
+    """
+    friction = Friction(path, mu, K, _live_ends(jack))
+    return (fpe * friction.length + Ep * wedge_set * len(friction.live)) / friction.jacked_area
+
+
+def _live_ends(jack: str) -> tuple[End, ...]:
+    if jack not in LIVE_ENDS:
+        raise ValueError(f"jack: {jack!r} is none of {', '.join(LIVE_ENDS)}")
+    return LIVE_ENDS[jack]
+
+
+def _zone(friction: Friction, end: End, x: float, removed: float) -> tuple[float, float]:
+    """(a, b) of b * level = a, the area condition of a reversed curve that runs from an end to x."""
+    at, weights = friction.quadrature(*sorted((friction.ends[end], x)))
+    growth, offset = friction.reversed(at, end)
+    return float((friction.jacked(at) - offset) @ weights) - removed, float(growth @ weights)
+
+
+def _level(friction: Friction, end: End, x: float, removed: float) -> float:
+    a, b = _zone(friction, end, x, removed)
+    growth, offset = friction.reversed(x, end)
+    return a / b if b > 0.0 else float((1.0 - offset) / growth)  # no set, no zone: fpj stays at the anchor
+
+
+def _still_point(friction: Friction, end: End, removed: float) -> float:
+    """x where the reversed curve of one end meets the jacked curve; the far end if it stays below it."""
+    near, far = friction.ends[end], friction.ends["right" if end == "left" else "left"]
+
+    def excess(x: float) -> float:
+        a, b = _zone(friction, end, x, removed)
+        growth, offset = friction.reversed(x, end)
+        return float(a * growth + b * (offset - friction.jacked(x)))  # times b, which is zero at the near end
+
+    if removed == 0.0:
+        return near
+    return far if excess(far) <= 0.0 else float(brentq(excess, near, far))
+
+
+def _meeting_point(friction: Friction, removed: float) -> float:
+    """x where the reversed curves of two live ends meet, each having lost its own area on its own side."""
+
+    def scaled(x: float, end: End) -> tuple[float, float]:
+        a, b = _zone(friction, end, x, removed)
+        growth, offset = friction.reversed(x, end)
+        return float(a * growth + b * offset), b
+
+    def excess(x: float) -> float:
+        (left, left_scale), (right, right_scale) = scaled(x, "left"), scaled(x, "right")
+        return left * right_scale - right * left_scale
+
+    return float(brentq(excess, *friction.ends.values()))

@@ -1,0 +1,83 @@
+"""Elastic Euler-Bernoulli beam on the member's supports: consistent loads and the point that deflects most."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solveh_banded
+
+from ptbatch.member import Load, Member
+
+Array = NDArray[np.float64]
+
+GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(3)
+
+
+def hermite(xi: Array | float, h: float) -> Array:
+    """Weights (4, ...) of v1, theta1, v2, theta2 in the deflection at xi of an element of length h."""
+    xi = np.asarray(xi, dtype=float)
+    return np.array(
+        [
+            1 - 3 * xi**2 + 2 * xi**3,
+            h * (xi - 2 * xi**2 + xi**3),
+            3 * xi**2 - 2 * xi**3,
+            h * (xi**3 - xi**2),
+        ]
+    )
+
+
+def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
+    """Work-equivalent nodal forces and moments (nodes, 2) of downward loads: exact deflections at the nodes of an elastic beam."""
+    nodal = np.zeros((len(x), 2))
+    for load in loads:
+        if load.type == "point":
+            e = int(np.clip(np.searchsorted(x, load.x, side="right") - 1, 0, len(x) - 2))
+            h = x[e + 1] - x[e]
+            nodal[e : e + 2] -= load.value * hermite((load.x - x[e]) / h, h).reshape(2, 2)
+            continue
+        for e in np.flatnonzero((x[:-1] < load.x_end) & (x[1:] > load.x)):
+            h = x[e + 1] - x[e]
+            a, b = max(load.x, x[e]), min(load.x_end, x[e + 1])
+            xi = (0.5 * (a + b) + 0.5 * (b - a) * GAUSS - x[e]) / h
+            nodal[e : e + 2] -= load.value * 0.5 * (b - a) * (hermite(xi, h) @ WEIGHTS).reshape(2, 2)
+    return nodal
+
+
+def held_nodes(member: Member, x: Array) -> list[tuple[int, bool, bool, bool]]:
+    """(node, u held, v held, theta held) of every support; if no end holds u, the first interior support does."""
+    nodes = [int(np.argmin(np.abs(x - place))) for place in member.support_x]
+    kinds = [member.support_left, *["roller"] * (len(nodes) - 2), member.support_right]
+    if not {"pin", "fixed"} & {kinds[0], kinds[-1]} and len(kinds) > 2:
+        kinds[1] = "pin"
+    return [
+        (node, kind in ("pin", "fixed"), True, kind == "fixed")
+        for node, kind in zip(nodes, kinds, strict=True)
+        if kind != "free"
+    ]
+
+
+def elastic_deflection(member: Member, x: Array, loads: Iterable[Load]) -> Array:
+    """Deflection (nodes,), up positive, of a beam with EI = 1."""
+    n = len(x)
+    band = np.zeros((4, 2 * n))  # upper form of a matrix with three superdiagonals
+    for e, h in enumerate(np.diff(x)):
+        k = (
+            np.array(
+                [
+                    [12, 6 * h, -12, 6 * h],
+                    [6 * h, 4 * h * h, -6 * h, 2 * h * h],
+                    [-12, -6 * h, 12, -6 * h],
+                    [6 * h, 2 * h * h, -6 * h, 4 * h * h],
+                ]
+            )
+            / h**3
+        )
+        for i in range(4):
+            for j in range(i, 4):
+                band[3 - (j - i), 2 * e + j] += k[i, j]
+    stiff = 1e12 * band[3].max()
+    for node, _, _, turns_not in held_nodes(member, x):
+        band[3, 2 * node] += stiff
+        if turns_not:
+            band[3, 2 * node + 1] += stiff
+    return np.asarray(solveh_banded(band, nodal_loads(x, loads).ravel()))[::2]

@@ -1,0 +1,96 @@
+"""What an analysis returns: the curve, the tendon at the stages, the events, and how it ended."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ptbatch.losses import Losses
+from ptbatch.member import Member
+
+Array = NDArray[np.float64]
+
+JACKED, SET, ANCHORED, PEAK = "jacked", "set", "anchored", "peak"
+
+
+@dataclass(frozen=True)
+class TendonState:
+    """The tendon at one stage. x, stress and slip (elements,) at the middle of each tendon element, slip positive to the right since the
+    tendon was slack; anchor_stress (2,) at the left and right anchor; length (elements,) for means over the tendon."""
+
+    x: Array
+    stress: Array
+    slip: Array
+    anchor_stress: tuple[float, float]
+    length: Array
+
+    @property
+    def mean(self) -> float:
+        """Mean stress over the length [MPa]."""
+        return float(np.average(self.stress, weights=self.length))
+
+    @property
+    def least(self) -> float:
+        """Smallest stress, anchors included [MPa]."""
+        return float(min(self.stress.min(), *self.anchor_stress))
+
+    @property
+    def most(self) -> float:
+        """Largest stress, anchors included [MPa]."""
+        return float(max(self.stress.max(), *self.anchor_stress))
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened under live load; step is a row of the curve, with a fraction where it fell between two."""
+
+    name: str
+    step: float
+    load: float
+    deflection: float
+    place: float
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Service stage, one row a recorded step from the anchored state on (steps,).
+
+    load in N is the total live load on the member, deflection in mm at the control point in the sense of the live load, from the anchored state.
+    """
+
+    factor: Array
+    load: Array
+    deflection: Array
+    moment_max: Array
+    stress_min: Array
+    stress_mean: Array
+    stress_max: Array
+
+
+@dataclass(frozen=True)
+class Response:
+    """Result of one member. Stages that were not reached are missing from `tendon`; `curve` is None before the service stage.
+
+    status: ok, warning or not converged. elongation_before and elongation_after in mm, summed over live ends; camber in mm, up positive.
+    """
+
+    member: Member
+    status: str
+    message: str
+    fpj: float
+    losses: Losses
+    tendon: dict[str, TendonState] = field(default_factory=dict)
+    elongation_before: float | None = None
+    elongation_after: float | None = None
+    set_length: float | None = None
+    camber: float | None = None
+    curve: Curve | None = None
+    events: tuple[Event, ...] = ()
+    failure: str = ""
+    residual_max: float = 0.0
+    newton_iterations: int = 0
+    has_service_value: bool = True
+
+    def event(self, name: str) -> Event | None:
+        """The first event of that name."""
+        return next((event for event in self.events if event.name == name), None)
