@@ -18,6 +18,7 @@ from ptbatch.response import Response
 
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
+ITERATIONS = 20, 40, 200  # most in a step: whole steps, searched steps, searched steps with secants
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ def analyse(member: Member, *, smooth: bool = True, corrected: bool = True, refi
             run = stress_to_mean(run, corrected)
         complete = serve(run, refine)
     except stages.NoEquilibrium as none:
-        return stopped(run, str(none))
+        return stopped(run, none.stage, str(none))
     return finished(run, complete)
 
 
@@ -63,7 +64,7 @@ def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
         ends,
         new_work(n, half_bandwidth(setup, start)),
         new_history(ROWS, n),
-        Tolerance(1e-8, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), 60),
+        Tolerance(1e-8, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), *ITERATIONS),
     )
     return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)
 
@@ -71,8 +72,7 @@ def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
 def stress(run: Run) -> None:
     """Stages 1 to 3."""
     member, weight = run.setup.member, run.setup.self_weight
-    movement = tuple(member.set - gap for gap in run.start.gap)
-    stages.jack(run.rig, run.fpj * member.Aps, movement, weight)
+    stages.jack(run.rig, run.fpj * member.Aps, member.set - run.start.gap[stages.RIGHT], weight)
     stages.set_wedges(run.rig, member.set, weight)
     stages.anchor(run.rig, weight)
 

@@ -5,6 +5,10 @@ class PtbatchError(Exception):
     """Something that the user can put right; the message says what and how."""
 
 
+class UnknownMemberError(PtbatchError):
+    """A member asked for that the workbook does not have."""
+
+
 class ReadError(PtbatchError):
     """A workbook that cannot be read at all."""
 

@@ -19,14 +19,14 @@ Array = NDArray[np.float64]
 STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCHORING}
 
 
-def stopped(run: "Run", message: str) -> Response:
-    """Response of a member that found no equilibrium in a stage before the live load: what was reached, and no capacity."""
-    return Response(**_common(run), status="not converged", message=message)
+def stopped(run: "Run", stage: int, message: str) -> Response:
+    """Response of a member that found no equilibrium in a stage before the live load: the stages before it, and no capacity."""
+    return Response(**_common(run, stage), status="not converged", message=message)
 
 
 def finished(run: "Run", complete: bool) -> Response:
     """Response of a member that was loaded; `complete` where the loading ended by itself."""
-    common = _common(run)
+    common = _common(run, stages.LIVE)
     rows = _service_rows(run)
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
     service = Service(run.rig.case.model, run.rig.case.history.u[rows], run.rig.case.history.T[rows], curve)
@@ -52,11 +52,11 @@ def finished(run: "Run", complete: bool) -> Response:
     )
 
 
-def _common(run: "Run") -> dict[str, Any]:
-    """What a run has whether or not it went on to the end."""
+def _common(run: "Run", before: int) -> dict[str, Any]:
+    """What a run has that completed the stages before the given one."""
     history, setup = run.rig.case.history, run.setup
     used = slice(0, int(history.count[0]))
-    last = {name: _last_row(run, stage) for name, stage in STAGE_ROWS.items()}
+    last = {name: _last_row(run, stage) if stage < before else None for name, stage in STAGE_ROWS.items()}
     common: dict[str, Any] = {
         "member": setup.member,
         "fpj": run.fpj,
@@ -66,28 +66,25 @@ def _common(run: "Run") -> dict[str, Any]:
         "newton_iterations": int(history.iterations[used].sum()),
         "has_service_value": has_service_value(setup.member),
     }
-    for name, stage in (("elongation_before", JACKED), ("elongation_after", SET)):
-        if last[stage] is not None:
-            pulled = history.u[last[stage]][[0, -2]] - run.start.gap
-            common[name] = float(pulled[list(setup.live)].sum())
+    if (row := last[JACKED]) is not None:
+        common["elongation_before"] = _elongation(run, row)
     if last[SET] is not None:
-        common["set_length"] = _set_length(run, last[JACKED], last[SET])
-    if last[ANCHORED] is not None:
-        common["camber"] = float(history.u[last[ANCHORED], 5 * setup.mesh.control + 3])
+        common["elongation_after"] = common["elongation_before"] - setup.member.set * sum(setup.live)
+    if (jacked := last[JACKED]) is not None and (after := last[SET]) is not None:
+        common["set_length"] = _set_length(run, jacked, after)
+    if (row := last[ANCHORED]) is not None:
+        common["camber"] = float(history.u[row, 5 * setup.mesh.control + 3])
     return common
 
 
-def _last_row(run: "Run", stage: int) -> int | None:
+def _last_row(run: "Run", stage: int) -> int:
     history = run.rig.case.history
-    rows = np.flatnonzero(history.stage[: history.count[0]] == stage)
-    return int(rows[-1]) if rows.size else None
+    return int(np.flatnonzero(history.stage[: history.count[0]] == stage)[-1])
 
 
 def _service_rows(run: "Run") -> NDArray[np.int64]:
     """Rows from the anchored state on."""
-    first = _last_row(run, stages.ANCHORING)
-    assert first is not None
-    return np.arange(first, int(run.rig.case.history.count[0]))
+    return np.arange(_last_row(run, stages.ANCHORING), int(run.rig.case.history.count[0]))
 
 
 def _tendon_state(run: "Run", row: int) -> TendonState:
@@ -101,28 +98,42 @@ def _tendon_state(run: "Run", row: int) -> TendonState:
         history.T[row] / Aps,
         0.5 * (moved[1:] + moved[:-1]),
         (float(history.anchor[row, 0] / Aps), float(history.anchor[row, 1] / Aps)),
+        (float(moved[0]), float(moved[-1])),
         run.start.rest,
     )
 
 
+def _elongation(run: "Run", row: int) -> float:
+    """What is measured at the live jacks: the way of the tendon's ends, and the stretch of the strand that has come out on it."""
+    history, setup = run.rig.case.history, run.setup
+    out = history.u[row][[0, -2]] - run.start.gap
+    strain = history.T[row][[0, -1]] / (setup.member.Aps * setup.member.Ep)
+    return float((out * (1.0 + strain))[list(setup.live)].sum())
+
+
 def _set_length(run: "Run", jacked: int, after: int) -> float:
-    """Length over which friction turned round, from the live end: the tributary lengths of the nodes whose step in force did, and the
-    part of the last one's that did."""
+    """Length that the set moved, from the (left) live end: the tributary lengths of the nodes whose friction turned round, and of
+    the last one the part that did."""
     line, history = run.setup.duct, run.rig.case.history
 
     def steps(row: int) -> Array:
         force = np.concatenate([history.anchor[row, :1], history.T[row], history.anchor[row, 1:]])
         return np.diff(np.log(force))
 
-    before = steps(jacked)
-    if np.abs(before).sum() < 1e-9:
-        return float(line.s[-1])
     s = np.concatenate([line.s[:1], history.s[after, 1:-1], line.s[-1:]])
     tributary = np.convolve(np.diff(s), [0.5, 0.5])
-    safe = np.where(np.abs(before) > 1e-12, before, np.inf)
-    turned = np.clip(0.5 * (1.0 - steps(after) / safe), 0.0, 1.0)
+    before, inward = steps(jacked), history.s[after] - history.s[jacked]
+    inward[-1] = inward[-2]  # a dead end does not move: its half element does what its neighbour does
     if not run.setup.live[0]:
-        turned, tributary = turned[::-1], tributary[::-1]
+        inward[0] = inward[1]
+        before, inward, tributary = before[::-1], -inward[::-1], tributary[::-1]
+    now = steps(after) if run.setup.live[0] else steps(after)[::-1]
+    if np.abs(before).sum() < 1e-9:
+        turned = np.ones_like(before)
+    else:
+        turned = np.clip(0.5 * (1.0 - now / np.where(np.abs(before) > 1e-12, before, np.inf)), 0.0, 1.0)
+    if all(run.setup.live):  # friction turns round beyond the point that does not move as well, for the other end's set
+        turned[np.maximum.accumulate(inward <= 0.0)] = 0.0
     whole = int(np.argmax(turned < 0.99)) if (turned < 0.99).any() else len(turned)
     return float((turned * tributary)[: whole + 1].sum())
 

@@ -16,12 +16,13 @@ JACKED, SET, ANCHORED, PEAK = "jacked", "set", "anchored", "peak"
 @dataclass(frozen=True)
 class TendonState:
     """The tendon at one stage. x, stress and slip (elements,) at the middle of each tendon element, slip positive to the right since the
-    tendon was slack; anchor_stress (2,) at the left and right anchor; length (elements,) for means over the tendon."""
+    tendon was slack; anchor_stress and end_slip (2,) at the left and right anchor; length (elements,) for means over the tendon."""
 
     x: Array
     stress: Array
     slip: Array
     anchor_stress: tuple[float, float]
+    end_slip: tuple[float, float]
     length: Array
 
     @property

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ptbatch.core.failure import utilisation
 from ptbatch.core.model import ANCHORED, PRESCRIBED, PULLED
 from ptbatch.core.newton import CONVERGED
-from ptbatch.core.step import Case, accept, open_case, try_step
+from ptbatch.core.step import Case, accept, find_equilibrium, open_case
 
 Array = NDArray[np.float64]
 
@@ -17,7 +17,7 @@ JACKING, SETTING, ANCHORING, SUSTAINED, LIVE = range(5)
 NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
 LEFT, RIGHT = 0, 1
 SMALLEST = 1e-4  # of a stage: below this a step is given up
-NEAR = 0.9  # of the jacking stress: how far two jacks are driven by force and movement before both are driven by force
+SHORT = 0.98  # of the expected movement of a second jack: where its force is looked at for the first time
 
 
 class NoEquilibrium(Exception):
@@ -25,6 +25,7 @@ class NoEquilibrium(Exception):
 
     def __init__(self, stage: int, reached: float) -> None:
         super().__init__(f"{NAMES[stage]}: no equilibrium beyond {reached:.1%} of the stage")
+        self.stage = stage
 
 
 @dataclass(frozen=True)
@@ -54,8 +55,12 @@ class Rig:
         """How far the tendon's end stands out of its anchor [mm]."""
         return float(self.case.state.u[0 if side == LEFT else -2])
 
+    def anchor_force(self, side: int) -> float:
+        """Force at an anchor in the last recorded step [N]."""
+        return float(self.case.history.anchor[self.case.history.count[0] - 1, side])
+
     def drive(self, side: int, mode: int) -> None:
-        """Drive an end in another way from now on; friction at its anchor keeps the force that it has."""
+        """Drive an end in another way from now on; friction at its anchor keeps its force, slip is measured anew."""
         _, state, ends, work, *_ = self.case
         last = len(work.T) - 1
         slip = self.gap(side)
@@ -63,8 +68,7 @@ class Rig:
             slip = -0.5 * work.s[1] if side == LEFT else 0.5 * work.s[-2]
             ends.born[side], ends.value[side] = self.gap(side), work.T[0 if side == LEFT else last]
         ends.mode[side] = mode
-        node = 0 if side == LEFT else last + 1
-        state.stick[node] = slip - work.shear[node] / self.case.model.contact.tangential
+        state.s[0 if side == LEFT else -1] = slip
 
 
 def ramp(rig: Rig, stage: int, loads: tuple[Array, Array], values: tuple[Array, Array], bonded: bool, first: float) -> None:
@@ -75,9 +79,9 @@ def ramp(rig: Rig, stage: int, loads: tuple[Array, Array], values: tuple[Array, 
         share = 1.0 if done + 1.1 * step > 1.0 else done + step
         rig.case.ends.value[:] = values[0] + share * (values[1] - values[0])
         load = loads[0] + share * (loads[1] - loads[0])
-        status, _, iterations, residual = try_step(rig.handle, load, none, -1, 0.0, 0.0, bonded)
+        status, _, iterations, residual = find_equilibrium(rig.handle, load, none, -1, 0.0, 0.0, bonded)
         if status == CONVERGED:
-            accept(rig.handle, stage, 0.0, iterations, residual, bonded)
+            accept(rig.handle, stage, 0.0, iterations, residual)
             done = share
             step *= 2.0 if iterations <= 10 else 1.0
         else:
@@ -86,30 +90,34 @@ def ramp(rig: Rig, stage: int, loads: tuple[Array, Array], values: tuple[Array, 
                 raise NoEquilibrium(stage, done)
 
 
-def jack(rig: Rig, force: float, movement: tuple[float, float], self_weight: Array) -> None:
+def jack(rig: Rig, force: float, movement: float, self_weight: Array) -> None:
     """Jacking: the live ends are pulled to `force` from slack; the beam lifts its own weight as it is stressed.
 
-    With two live ends the right one follows its expected outward movement until both are close; then both are pulled. Without friction
-    the two forces are one, and pulling both would leave the tendon free to slide as a whole.
+    With two live ends the left one is pulled, and the right one is moved outward until its force is the same: a little less than its expected
+    movement first, so that the force is approached from below, then by what is missing.
     """
     for side in (LEFT, RIGHT):
         rig.case.ends.mode[side] = PULLED if rig.live[side] else ANCHORED
     start = np.zeros(2)
-    pull = np.where(rig.live, force, 0.0)
+    pulled = np.where(rig.live, force, 0.0)
     nothing = np.zeros_like(self_weight)
     if not all(rig.live):
-        ramp(rig, JACKING, (nothing, self_weight), (start, pull), False, 0.02)
+        ramp(rig, JACKING, (nothing, self_weight), (start, pulled), False, 0.02)
         return
-    contact = rig.case.model.contact
-    near = NEAR if contact.mu > 0.0 or contact.K > 0.0 else 1.0
     rig.case.ends.mode[RIGHT] = PRESCRIBED
     start[RIGHT] = rig.gap(RIGHT)
-    towards = near * np.array([force, movement[RIGHT]]) + np.array([0.0, start[RIGHT]])
-    ramp(rig, JACKING, (nothing, near * self_weight), (start, towards), False, 0.02)
-    if near < 1.0:
-        rig.drive(RIGHT, PULLED)
-        reached = rig.case.history.anchor[rig.case.history.count[0] - 1].copy()
-        ramp(rig, JACKING, (near * self_weight, self_weight), (reached, pull), False, 0.25)
+    pulled[RIGHT] = start[RIGHT] + SHORT * movement
+    ramp(rig, JACKING, (nothing, self_weight), (start, pulled), False, 0.02)
+    slope = rig.anchor_force(RIGHT) / (pulled[RIGHT] - start[RIGHT])
+    for _ in range(20):
+        missing = force - rig.anchor_force(RIGHT)
+        if abs(missing) <= 1e-7 * force:
+            return
+        before, start = force - missing, pulled.copy()
+        pulled[RIGHT] += missing / slope
+        ramp(rig, JACKING, (self_weight, self_weight), (start, pulled), False, 1.0)
+        slope = (rig.anchor_force(RIGHT) - before) / (pulled[RIGHT] - start[RIGHT])
+    raise NoEquilibrium(JACKING, 1.0)
 
 
 def set_wedges(rig: Rig, wedge_set: float, load: Array) -> None:
@@ -162,7 +170,7 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
             return True
         step = min(step, left)
         target = state.u[control.dof] + control.sense * step
-        status, reached, iterations, residual = try_step(
+        status, reached, iterations, residual = find_equilibrium(
             rig.handle, fixed, pattern, control.dof, target, factor, bonded
         )
         if status != CONVERGED:
@@ -174,7 +182,7 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
         if not failed and max(demand) > 1.005 and step > 1e-3 * control.first:
             step *= min(max((1.001 - used) / (max(demand) - used), 0.1), 0.95)
             continue
-        accept(rig.handle, LIVE, reached, iterations, residual, bonded)
+        accept(rig.handle, LIVE, reached, iterations, residual)
         factor, used = reached, max(demand)
         failed = failed or used >= 1.0
         if demand[2] >= 1.0:

@@ -14,7 +14,8 @@ from ptbatch.along import Bar, Load, Point
 from ptbatch.rules import RULES, WARNINGS
 from ptbatch.rules.fault import Fault, Values
 from ptbatch.workbook.column import LIMITS, LISTS, Column, Derived
-from ptbatch.workbook.columns import BY_NAME, LOADS, MEMBERS, PROFILE, REBAR
+from ptbatch.workbook.columns import BY_NAME, MEMBERS
+from ptbatch.workbook.optional import LOADS, PROFILE, REBAR
 
 # Arguments that hold rows of the optional sheets: what a row is, and its columns.
 TABLES: dict[str, tuple[type, tuple[Column, ...]]] = {
@@ -75,9 +76,11 @@ def _unknown(given: Values) -> Iterator[Fault]:
         yield Fault(name, given[name], "there is no such column", likely(name, BY_NAME))
 
 
-def _check_table(name: str, rows: Iterable[Any]) -> tuple[tuple[Any, ...], list[Fault]]:
+def _check_table(name: str, rows: Any) -> tuple[tuple[Any, ...], list[Fault]]:
     """Rows of an optional sheet in their type; their order is kept, and what is wrong is numbered from 0."""
     make, columns = TABLES[name]
+    if not isinstance(rows, list | tuple):
+        return (), [Fault(name, rows, "is not a list", "give a list of rows")]
     sound, faults = [], []
     for i, row in enumerate(rows):
         if not isinstance(row, tuple | list) or len(row) != len(columns):
@@ -120,7 +123,9 @@ def checked(column: Column, value: Any) -> tuple[Any, tuple[str, str] | None]:
     if column.kind in LISTS:
         items = value if isinstance(value, Iterable) and not isinstance(value, str) else (value,)
         pairs = [_checked_number(column, item) for item in items]
-        wrong = next((wrong for _, wrong in pairs if wrong), None)
+        wrong = next(
+            (wrong for _, wrong in pairs if wrong), None if pairs else ("is empty", "give its numbers")
+        )
         return tuple(item for item, _ in pairs), wrong
     return _checked_number(column, value)
 
@@ -146,7 +151,7 @@ def likely(word: str, choices: Iterable[str]) -> str:
     meant = closest(word, choices)
     if meant:
         return f"did you mean {meant}?"
-    return f"choose one of {', '.join(choices)}" if len(choices) <= 12 else "take a name from the list of columns"
+    return f"choose one of {', '.join(choices)}" if len(choices) <= 12 else "check the spelling"
 
 
 def closest(word: str, choices: Iterable[str]) -> str | None:

@@ -11,6 +11,7 @@ which is what makes the tendon feel the whole angle of its profile.
 
 from typing import NamedTuple
 
+from ptbatch.core.contact import ALMOST
 from ptbatch.core.embedding import arm, turned
 from ptbatch.core.jit import kernel, root
 from ptbatch.core.model import ANCHORED, PRESCRIBED
@@ -45,23 +46,23 @@ def end_position(q, a):
 
 
 @kernel
-def end_friction(T, half_tan, slip, stick, rough, c):
-    """J - T for an outward slip measure."""
-    trial = c.tangential * (slip - stick)
+def end_friction(T, half_tan, slip, rub, rough, c):
+    """J - T after an outward slip that starts with the difference `rub`."""
+    trial = rub + c.tangential * slip
     a = c.mu * half_tan + 0.5 * rough
     out = 2.0 * a / (1.0 - a) * T
     into = -2.0 * a / (1.0 + a) * T
     if T.real <= 0.0:
         return 0.0 * T
-    if trial.real > out.real:
+    if trial.real > ALMOST * out.real:
         return out
-    if trial.real < into.real:
+    if trial.real < ALMOST * into.real:
         return into
     return trial
 
 
 @kernel
-def end_forces(q, mode, value, born, T, slope, length, stick, rough, a, c, f):
+def end_forces(q, mode, value, born, T, slope, length, slid, rub, rough, a, c, f):
     """Forces f (6,); also returned: tan(theta/2) of the kink at the anchor.
 
     The row of the gap holds, by mode: PRESCRIBED gap - value; PULLED the jack force's balance; ANCHORED the anchorage spring, born at gap `born`
@@ -81,7 +82,7 @@ def end_forces(q, mode, value, born, T, slope, length, stick, rough, a, c, f):
     elif mode == ANCHORED:
         f[0] = T - value + c.anchor * (q[0] - born)
     else:
-        f[0] = T + end_friction(T, half_tan, q[0], stick, rough, c) - value
+        f[0] = T + end_friction(T, half_tan, q[0] - slid, rub, rough, c) - value
     f[1] = -T * ex
     f[2] = -T * ey
     f[3] = T * ((y - q[2]) * ex - (x - q[1]) * ey)

@@ -128,7 +128,8 @@ def add_ends(model, state, u, ends, work):
             work.T[e],
             0.0,
             work.length[e],
-            state.stick[j],
+            state.s[j],
+            state.rub[j],
             work.rough[j],
             anchor(side, model),
             model.contact,
@@ -136,7 +137,9 @@ def add_ends(model, state, u, ends, work):
         )
         work.half_tan[side] = half_tan
         slip = end_slip(side, ends.mode[side], model, u, work)
-        work.shear[j] = end_friction(work.T[e], half_tan, slip, state.stick[j], work.rough[j], model.contact)
+        work.shear[j] = end_friction(
+            work.T[e], half_tan, slip - state.s[j], state.rub[j], work.rough[j], model.contact
+        )
         gap = tendon_dof(j)
         node = beam_dof(side * n)
         neighbour = tendon_dof(1 + side * (n - 1))
@@ -179,7 +182,8 @@ def internal_forces(model, state, u, ends, bonded, work):
             0.0,
             work.length[j - 1],
             work.length[j],
-            state.stick[j],
+            state.s[j],
+            state.rub[j],
             work.rough[j],
             bonded,
             seg,
@@ -208,7 +212,7 @@ def add_to(matrix, row, column, value):
 
 
 @kernel
-def tangent(model, state, u, ends, bonded, work):
+def tangent(model, state, u, ends, bonded, secant, work):
     """work.f and work.matrix at u, after a fresh contact search."""
     n = model.x.size - 1
     search(model, u, work)
@@ -216,7 +220,7 @@ def tangent(model, state, u, ends, bonded, work):
     work.f[:] = 0.0
     work.matrix[:] = 0.0
     for e in range(n):
-        add_beam(e, model, state, u, work)
+        add_beam(e, model, state, u, secant, work)
     for e in range(1, n):
         add_truss(e, work)
     for j in range(1, n + 1):
@@ -227,10 +231,10 @@ def tangent(model, state, u, ends, bonded, work):
 
 
 @kernel
-def add_beam(e, model, state, u, work):
+def add_beam(e, model, state, u, secant, work):
     for i in range(6):
         work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-    beam_tangent(e, model, state, work.q6, work.f6, work.k6)
+    beam_tangent(e, model, state, work.q6, secant, work.f6, work.k6)
     for i in range(6):
         row = (beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i
         work.f[row] += work.f6[i]
@@ -280,7 +284,8 @@ def add_contact(j, model, state, u, bonded, work):
             work.slope[j],
             work.length[j - 1],
             work.length[j],
-            state.stick[j],
+            state.s[j],
+            state.rub[j],
             work.rough[j],
             bonded,
             seg,
@@ -351,7 +356,8 @@ def add_end_tangent(side, model, state, u, ends, work):
             work.T[e],
             work.slope[e],
             work.length[e],
-            state.stick[j],
+            state.s[j],
+            state.rub[j],
             work.rough[j],
             a,
             model.contact,

@@ -16,6 +16,9 @@ from ptbatch.core.embedding import arm, turned
 from ptbatch.core.jit import kernel, root
 
 
+ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
+
+
 class Segment(NamedTuple):
     """One duct segment at rest: length h along the axis, heights and slopes at its ends, arc length at its start and over it."""
 
@@ -98,19 +101,19 @@ def project(q, xi, seg):
 
 
 @kernel
-def friction(s, stick, N, T, rough, bonded, c):
-    """Coulomb's return mapping, eq. (23): friction force along +s on the duct for a slip spring that starts at `stick`."""
-    trial = c.tangential * (s - stick)
+def friction(slip, rub, N, T, rough, bonded, c):
+    """Coulomb's return mapping, eq. (23): friction force after a slip that starts with the friction force `rub`."""
+    trial = rub + c.tangential * slip
     if bonded:
         return trial
     capacity = c.mu * N + rough * T
-    if abs(trial.real) <= capacity.real:
+    if abs(trial.real) < ALMOST * capacity.real:
         return trial
     return capacity if trial.real > 0.0 else -capacity
 
 
 @kernel
-def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, stick, rough, bonded, seg, c, f):
+def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, bonded, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s).
 
     xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are the tensions of the tendon
@@ -148,7 +151,7 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, stick, rough
         N = P
     s = seg.s + xi_c * seg.ds
     size = N if N.real >= 0.0 else -N
-    Tt = friction(s, stick, size, tension, rough, bonded, c)
+    Tt = friction(s - s0, rub, size, tension, rough, bonded, c)
     fx = Tt * ux - N * uy
     fy = Tt * uy + N * ux
     f[0] = fx

@@ -7,7 +7,7 @@ import numpy as np
 from ptbatch.core.assembly import end_slip
 from ptbatch.core.beam import commit_beam
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import beam_dof, tendon_dof
+from ptbatch.core.model import beam_dof
 from ptbatch.core.reference import reference
 
 
@@ -71,7 +71,7 @@ def element_displacements(e, u, q):
 
 
 @kernel
-def commit(model, state, ends, bonded, work):
+def commit(model, state, ends, work):
     """Make the trial the committed state: fibres, bars, tendon, contact segments and friction springs."""
     n = model.x.size - 1
     state.u[:] = work.trial
@@ -82,13 +82,10 @@ def commit(model, state, ends, bonded, work):
         strain = (work.length[e] - model.rest_length[e]) / model.rest_length[e]
         state.tendon[e] = max(state.tendon[e], strain)
     state.segment[:] = work.segment
-    if not bonded:
-        for j in range(1, n + 1):
-            state.stick[j] = work.s[j] - work.shear[j] / model.contact.tangential
+    state.s[:] = work.s
+    state.rub[:] = work.shear
     for side in range(2):
-        j = side * (n + 1)
-        slip = end_slip(side, ends.mode[side], model, state.u, work)
-        state.stick[j] = slip - work.shear[j] / model.contact.tangential
+        state.s[side * (n + 1)] = end_slip(side, ends.mode[side], model, state.u, work)
 
 
 @kernel
@@ -96,8 +93,3 @@ def rewind(state, work):
     """Start a trial from the committed state."""
     work.trial[:] = state.u
     work.segment[:] = state.segment
-
-
-@kernel
-def gap_of(side, model, state):
-    return state.u[tendon_dof(side * (model.x.size))]

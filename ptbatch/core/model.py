@@ -62,7 +62,8 @@ class State(NamedTuple):
     bar: np.ndarray  # (n, 2, r) plastic strain, nan where ruptured
     tendon: np.ndarray  # (n+1,) largest strain
     segment: np.ndarray  # (n+2,) int, the duct segment of each tendon node
-    stick: np.ndarray  # (n+2,) arc length to which friction's spring is tied; for the two ends that of their own slip measure
+    s: np.ndarray  # (n+2,) arc length of the tendon nodes; of the two ends their own slip measure, see `end_slip`
+    rub: np.ndarray  # (n+2,) friction force there: with s, the history of slip that survives a change of segment
 
 
 class Ends(NamedTuple):

@@ -10,6 +10,7 @@ from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
+PLAIN, SEARCH, SECANT = range(3)  # whole steps; steps searched along; searched, with the secants of softening fibres
 
 
 class Target(NamedTuple):
@@ -29,7 +30,9 @@ class Tolerance(NamedTuple):
     force: float
     arm: float
     length: float
-    iterations: int
+    plain: int  # most iterations, by the way of iterating
+    search: int
+    secant: int
 
 
 @kernel
@@ -100,9 +103,10 @@ def move(eta, model, state, target, factor, dfactor, ends, bonded, work):
 
 
 @kernel
-def line_search(model, state, target, factor, dfactor, ends, bonded, work):
-    """The share eta of the step to take: the whole where that lowers the work, else a zero of it (Illinois)."""
+def line_search(model, state, target, factor, dfactor, ends, bonded, work, tolerance):
+    """The share eta of the step to take: the whole where that lowers the work or the residual, else a zero of the work (Illinois)."""
     start = power_of_step(ends, work)
+    norm = residual_norm(ends, work, tolerance)
     work.before[:] = work.trial
     eta = 1.0
     g = move(eta, model, state, target, factor, dfactor, ends, bonded, work)
@@ -111,7 +115,7 @@ def line_search(model, state, target, factor, dfactor, ends, bonded, work):
             break
         eta *= 0.25
         g = move(eta, model, state, target, factor, dfactor, ends, bonded, work)
-    if abs(g) <= 0.8 * abs(start) or g * start > 0.0:
+    if abs(g) <= 0.8 * abs(start) or g * start > 0.0 or residual_norm(ends, work, tolerance) <= 0.9 * norm:
         return eta
     low, g_low, high, g_high = 0.0, start, eta, g
     for _ in range(12):
@@ -128,13 +132,13 @@ def line_search(model, state, target, factor, dfactor, ends, bonded, work):
 
 
 @kernel
-def equilibrate(model, state, target, factor, ends, bonded, work, tolerance):
-    """Iterate work.trial to equilibrium; returns (status, factor, iterations, relative residual)."""
+def equilibrate(model, state, target, factor, ends, bonded, way, work, tolerance):
+    """Iterate work.trial to equilibrium in one of the ways above; returns (status, factor, iterations, relative residual)."""
     half = (work.matrix.shape[1] - 1) // 2
-    controlled = target.dof >= 0
     increment = np.inf
-    for iteration in range(tolerance.iterations):
-        tangent(model, state, work.trial, ends, bonded, work)
+    most = tolerance.plain if way == PLAIN else tolerance.search if way == SEARCH else tolerance.secant
+    for iteration in range(most):
+        tangent(model, state, work.trial, ends, bonded, way == SECANT, work)
         unbalance(model, target, factor, ends, work)
         norm = residual_norm(ends, work, tolerance)
         if norm <= tolerance.residual and increment <= tolerance.increment:
@@ -147,7 +151,7 @@ def equilibrate(model, state, target, factor, ends, bonded, work, tolerance):
         work.du[:] = work.residual
         substitute(work.matrix, half, work.multipliers, work.pivots, work.du)
         dfactor = 0.0
-        if controlled:
+        if target.dof >= 0:
             for i in range(work.du.size):
                 work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
             substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
@@ -157,7 +161,12 @@ def equilibrate(model, state, target, factor, ends, bonded, work, tolerance):
             dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
             for i in range(work.du.size):
                 work.du[i] += dfactor * work.du_load[i]
-        eta = line_search(model, state, target, factor, dfactor, ends, bonded, work)
-        factor += eta * dfactor
+        if way == PLAIN:
+            work.trial[:] += work.du
+            factor += dfactor
+        else:
+            factor += dfactor * line_search(
+                model, state, target, factor, dfactor, ends, bonded, work, tolerance
+            )
         increment = increment_norm(work, tolerance)
-    return TOO_MANY_ITERATIONS, factor, tolerance.iterations, norm
+    return TOO_MANY_ITERATIONS, factor, most, norm

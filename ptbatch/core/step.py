@@ -5,7 +5,7 @@ from typing import NamedTuple
 from ptbatch.core.history import History, HistoryRef, commit, record, rewind
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
-from ptbatch.core.newton import Target, Tolerance, equilibrate
+from ptbatch.core.newton import CONVERGED, PLAIN, SEARCH, SECANT, Target, Tolerance, equilibrate
 from ptbatch.core.reference import reference
 from ptbatch.core.work import Work, WorkRef
 
@@ -33,15 +33,27 @@ def open_case(model, state, ends, work, history, tolerance):
 
 
 @kernel
-def try_step(case, fixed, pattern, dof, value, factor, bonded):
-    """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations, relative residual)."""
-    rewind(case.state, case.work)
+def find_equilibrium(case, fixed, pattern, dof, value, factor, bonded):
+    """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations, relative residual).
+
+    Whole Newton steps first, which is all that most steps need; then searched ones, for friction that turns round; then the secant moduli of
+    softening fibres, which lead on slowly where cracks choose their places.
+    """
     target = Target(fixed, pattern, dof, value)
-    return equilibrate(case.model, case.state, target, factor, case.ends, bonded, case.work, case.tolerance)
+    spent = 0
+    for way in (PLAIN, SEARCH, SECANT):
+        rewind(case.state, case.work)
+        status, reached, iterations, residual = equilibrate(
+            case.model, case.state, target, factor, case.ends, bonded, way, case.work, case.tolerance
+        )
+        spent += iterations
+        if status == CONVERGED:
+            break
+    return status, reached, spent, residual
 
 
 @kernel
-def accept(case, stage, factor, iterations, residual, bonded):
+def accept(case, stage, factor, iterations, residual):
     """Make the step that was tried last the committed state and record it."""
-    commit(case.model, case.state, case.ends, bonded, case.work)
+    commit(case.model, case.state, case.ends, case.work)
     record(stage, factor, iterations, residual, case.work, case.history)

@@ -93,9 +93,9 @@ def model(setup: Setup, losses: Losses, corrected: bool = True) -> tuple[Model, 
         materials.concrete(member),
         materials.steel(member),
         materials.strand(member),
-        Contact(stiff, stiff, ANCHORAGE * stiff, member.mu, member.K, line.smooth, corrected),
+        Contact(stiff, stiff, ANCHORAGE * stiff, float(member.mu), float(member.K), line.smooth, corrected),
     )
-    return arrays, _initial_state(arrays, start), Ends(np.zeros(2, np.int64), np.zeros(2), np.zeros(2)), start
+    return arrays, _initial_state(arrays, start, setup.live), Ends(np.zeros(2, np.int64), np.zeros(2), np.zeros(2)), start
 
 
 def _bars(member: Member, x: Array, centroid: float) -> tuple[Array, Array, Array]:
@@ -125,14 +125,16 @@ def _held(member: Member, x: Array) -> NDArray[np.bool_]:
     return held
 
 
-def _initial_state(arrays: Model, start: TendonStart) -> State:
+def _initial_state(arrays: Model, start: TendonStart, live: tuple[bool, bool]) -> State:
     n = len(arrays.x) - 1
     u = np.zeros(5 * n + 7)
     u[0], u[-2] = start.gap
     fibres = np.zeros((n, 2, len(arrays.layer_y), 4))
     bars = np.zeros((n, 2, len(arrays.bar_y)))
-    stick = start.s.copy()
-    return State(u, fibres, bars, np.zeros(n + 1), start.segment, stick)
+    slid = start.s.copy()
+    slid[0] = start.gap[0] if live[0] else -0.5 * start.s[1]  # as `end_slip` measures it
+    slid[-1] = start.gap[1] if live[1] else 0.5 * start.s[-2]
+    return State(u, fibres, bars, np.zeros(n + 1), start.segment, slid, np.zeros(n + 2))
 
 
 def half_bandwidth(setup: Setup, start: TendonStart) -> int:

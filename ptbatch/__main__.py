@@ -1,0 +1,5 @@
+"""`python -m ptbatch`."""
+
+from ptbatch.cli import main
+
+main()

@@ -1,0 +1,154 @@
+"""The command line. Nothing heavy is imported before a command needs it."""
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, NoReturn
+
+import click
+
+from ptbatch import __version__
+from ptbatch.errors import PtbatchError, UnknownMemberError
+
+if TYPE_CHECKING:
+    from ptbatch.batch import Batch
+    from ptbatch.runner import Progress
+
+OK, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 3, 4, 70, 130
+SHOWN_ROWS = 40  # of the closing table
+
+EPILOG = """\b
+Exit codes:
+  0   all rows ran and pass
+  1   a check or a comparison failed
+  2   usage
+  3   some rows invalid or not converged (results written)
+  4   nothing could be read or written
+  70  internal error
+"""
+
+WORKBOOK = click.argument("workbook", type=click.Path(path_type=Path))
+
+
+@click.group(epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="ptbatch")
+def cli() -> None:
+    """Analyse post-tensioned concrete members, one per row of a spreadsheet."""
+
+
+@cli.command(epilog=EPILOG)
+@WORKBOOK
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Results [WORKBOOK.results.xlsx].")
+@click.option("--jobs", type=click.IntRange(1), help="Members at a time [number of CPUs].")
+@click.option("--only", multiple=True, metavar="MEMBER", help="This member alone; may be repeated.")
+@click.option("--json", "as_json", is_flag=True, help="Print the summary rows to stdout as JSON.")
+def run(workbook: Path, output: Path | None, jobs: int | None, only: Sequence[str], as_json: bool) -> int:
+    """Analyse the members of WORKBOOK and write a results workbook beside it."""
+    from ptbatch.batch import run_workbook
+
+    try:
+        batch = run_workbook(workbook, output, jobs or os.cpu_count() or 1, only, _progress())
+    except UnknownMemberError as error:
+        raise click.BadParameter(str(error), param_hint="--only") from error
+    if as_json:
+        _print_json(batch)
+    _say(*_closing_table(batch))
+    return INVALID_ROWS if batch.failed else OK
+
+
+@cli.command(epilog=EPILOG)
+@WORKBOOK
+def check(workbook: Path) -> int:
+    """Validate WORKBOOK without analysing it; every problem is printed with its cell and its cure."""
+    from ptbatch.workbook.inputs import read_inputs
+
+    inputs = read_inputs(workbook)
+    invalid = sum(row.member is None for row in inputs.rows)
+    _say(*map(str, inputs.all_problems()))
+    _say(f"{len(inputs.rows)} rows: {len(inputs.rows) - invalid} valid, {invalid} invalid")
+    return INVALID_ROWS if invalid else OK
+
+
+@cli.command(epilog=EPILOG)
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--units", type=click.Choice(["SI", "US"], case_sensitive=False), default="SI")
+def template(file: Path, units: Literal["SI", "US"]) -> int:
+    """Write a workbook with all columns and an example row to FILE."""
+    from ptbatch.workbook.template import write_template
+
+    _say(f"written: {write_template(file, units)}")
+    return OK
+
+
+def main(args: Sequence[str] | None = None) -> NoReturn:
+    """Run the command line and leave with its exit code."""
+    sys.exit(exit_code(args))
+
+
+def exit_code(args: Sequence[str] | None = None) -> int:
+    """Exit code of a command line; errors are told on stderr."""
+    try:
+        return cli.main(args, prog_name="ptbatch", standalone_mode=False) or OK
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except PtbatchError as error:
+        _say(f"Error: {error}")
+        return UNUSABLE
+    except (click.Abort, KeyboardInterrupt):
+        _say("interrupted; no results were written")
+        return INTERRUPTED
+    except Exception as error:
+        import traceback
+
+        _say(traceback.format_exc(), f"Internal error, please report it: {type(error).__name__}: {error}")
+        return INTERNAL
+
+
+def _say(*lines: str) -> None:
+    for line in lines:
+        click.echo(line, err=True)
+
+
+def _progress() -> "Progress | None":
+    """Rewrites one line of a terminal; silent elsewhere."""
+    if not sys.stderr.isatty():
+        return None
+
+    def show(done: int, total: int, member: str) -> None:
+        click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)
+
+    return show
+
+
+def _print_json(batch: "Batch") -> None:
+    import json
+
+    from ptbatch.workbook.results import summary_records
+
+    records = summary_records(batch.headers, batch.lines)
+    click.echo(json.dumps(records, indent=2, ensure_ascii=False, allow_nan=False, default=str))
+
+
+def _closing_table(batch: "Batch") -> list[str]:
+    """Member, status, peak load and failure or message; rows that did not pass first."""
+    columns = [
+        batch.headers.index(name) for name in ("member", "status", "load_peak [kN]", "failure", "message")
+    ]
+    by_concern = sorted(batch.lines, key=lambda line: line[1] in ("ok", "warning"))
+    rows = [[_short(line[i]) for i in columns] for line in by_concern[:SHOWN_ROWS]]
+    table = [["member", "status", "peak [kN]", "failure", "message"], *rows]
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+    lines = ["  ".join(text.ljust(w) for text, w in zip(row, widths, strict=True)).rstrip() for row in table]
+    if len(batch.lines) > SHOWN_ROWS:
+        lines.append(f"... and {len(batch.lines) - SHOWN_ROWS} more rows")
+    if batch.path != batch.wanted:
+        lines.append(f"{batch.wanted} is in use and could not be replaced")
+    counts = ", ".join(f"{count} {status}" for status, count in batch.counts.items() if count)
+    return [*lines, f"{counts}; results: {batch.path}"]
+
+
+def _short(value: Any) -> str:
+    text = f"{value:.1f}" if isinstance(value, float) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."

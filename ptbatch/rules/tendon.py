@@ -1,0 +1,112 @@
+"""The tendon: its path inside the section, its stress, friction given once."""
+
+from collections.abc import Iterator
+
+from ptbatch.rules.fault import Fault, Rule, Values, counted, rule
+
+
+@rule("span", "profile", "dp", "profile_points")
+def depths_counted(v: Values) -> Iterator[Fault]:
+    """One depth for a straight tendon, 2 n + 1 for the other shapes over n spans."""
+    wanted = 1 if v["profile"] == "straight" else 2 * len(v["span"]) + 1
+    if not v["profile_points"] and len(v["dp"]) != wanted:
+        spans = counted(len(v["span"]), "span")
+        wrong = f"{counted(len(v['dp']), 'depth')} given; {v['profile']} over {spans} needs {wanted}"
+        cure = "give left end; then low point; right end of each span" if wanted > 1 else "give one depth"
+        yield Fault("dp", v["dp"], wrong, cure)
+
+
+@rule("harp")
+def harps_in_order(v: Values) -> Iterator[Fault]:
+    """Harping points from left to right."""
+    if list(v["harp"]) != sorted(set(v["harp"])):
+        cure = "give rising fractions, e.g. 1/3; 2/3"
+        yield Fault("harp", v["harp"], "harping points are not in order", cure)
+
+
+@rule("inflection")
+def inflection_before_midspan(v: Values) -> Iterator[Fault]:
+    """The reversed parabola ends before the low point."""
+    if v["inflection"] >= 0.5:
+        wrong = "the inflection point is not between support and midspan"
+        yield Fault("inflection", v["inflection"], wrong, "give a fraction below 0.5")
+
+
+@rule("span", "profile_points")
+def points_run_through(v: Values) -> Iterator[Fault]:
+    """Points of a free profile go from end to end, left to right."""
+    x = [point[0] for point in v["profile_points"]]
+    if not x:
+        return
+    end = sum(v["span"])
+    for i in range(1, len(x)):
+        if x[i] - x[i - 1] < 1e-6 * end:
+            wrong = f"x = {x[i]:g} mm does not lie right of the point before, x = {x[i - 1]:g} mm"
+            yield Fault(f"profile_points[{i}].x", x[i], wrong, "list the points from left to right")
+    if abs(x[0]) > 1e-6 * end:
+        yield Fault("profile_points[0].x", x[0], "the first point is not at the left end", "begin with x = 0")
+    if abs(x[-1] - end) > 1e-6 * end:
+        wrong = f"the last point is not at the right end, {end:g} mm from the left"
+        cure = "end the points where the spans end"
+        yield Fault(f"profile_points[{len(x) - 1}].x", x[-1], wrong, cure)
+
+
+@rule("dp", "profile_points", "h")
+def tendon_inside(v: Values) -> Iterator[Fault]:
+    """The tendon stays inside the section. No shape reaches above or below the depths that it is given."""
+    points = [(f"profile_points[{i}].dp", depth, depth) for i, (_, depth) in enumerate(v["profile_points"])]
+    for column, value, depth in points or [("dp", v["dp"], depth) for depth in v["dp"]]:
+        if depth >= v["h"]:
+            wrong = f"the tendon at {depth:g} mm lies outside the section, which is {v['h']:g} mm deep"
+            yield Fault(column, value, wrong, "give depths from the top fibre, less than h")
+
+
+@rule("fpu")
+def one_stress(v: Values) -> Iterator[Fault]:
+    """Exactly one of fpj and fpe, not above fpu. One that is missing from the values is faulty already."""
+    if "fpj" not in v or "fpe" not in v:
+        return
+    if v["fpj"] is None and v["fpe"] is None:
+        cure = "give the jacking stress fpj, or the mean stress fpe wanted after anchoring"
+        yield Fault("fpj", None, "neither fpj nor fpe is given", cure)
+    elif v["fpj"] is not None and v["fpe"] is not None:
+        yield Fault("fpe", v["fpe"], "both fpj and fpe are given", "leave one of them blank")
+
+
+def _below_fpu(name: str) -> Rule:
+    @rule(name, "fpu")
+    def below(v: Values) -> Iterator[Fault]:
+        if v[name] > v["fpu"]:
+            wrong = f"stress of {v[name]:g} MPa is above fpu = {v['fpu']:g} MPa"
+            yield Fault(name, v[name], wrong, "give a stress below fpu; check the unit in the header")
+
+    return below
+
+
+@rule("k_ec2", "given")
+def wobble_given_once(v: Values) -> Iterator[Fault]:
+    """K or k_ec2."""
+    if "K" in v["given"]:
+        yield Fault("k_ec2", v["k_ec2"], "both K and k_ec2 are given", "leave one blank: K = mu k_ec2")
+
+
+@rule("wobble", "mu", "K")
+def sine_has_friction(v: Values) -> Iterator[Fault]:
+    """An angle needs curvature friction to act through."""
+    if v["wobble"] == "sine" and v["mu"] == 0.0 and v["K"] > 0.0:
+        wrong = "wobble as a sine needs curvature friction, but mu is zero"
+        yield Fault("wobble", "sine", wrong, "take wobble = direct, or give mu above zero")
+
+
+RULES: tuple[Rule, ...] = (
+    depths_counted,
+    harps_in_order,
+    inflection_before_midspan,
+    points_run_through,
+    tendon_inside,
+    one_stress,
+    _below_fpu("fpj"),
+    _below_fpu("fpe"),
+    wobble_given_once,
+    sine_has_friction,
+)

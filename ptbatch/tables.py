@@ -1,0 +1,159 @@
+"""Rows of the result sheets from a Response. A value that does not exist is a text that says why."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ptbatch.member import Member
+from ptbatch.response import ANCHORED, JACKED, PEAK, SET, Event, Response, TendonState
+
+Value = float | str
+Row = dict[str, Value]
+
+
+def summary_row(member: Member, response: Response) -> Row:
+    """The columns of `summary` after `message`, but for the time."""
+    losses = response.losses
+    row: Row = {
+        "jacking_stress [MPa]": _anchor_stress(member, response, JACKED),
+        "elongation_before_set [mm]": _or_stage(response.elongation_before, response),
+        "elongation_after_set [mm]": _or_stage(response.elongation_after, response),
+        "loss_jacking_end_fe [%]": _loss_jacking_end(member, response),
+        "loss_jacking_end_analytic [%]": 100.0 * losses.loss_jacking_end,
+        "loss_fixed_end_fe [%]": _loss_fixed_end(member, response),
+        "loss_fixed_end_analytic [%]": 100.0 * losses.loss_fixed_end,
+        "set_length_fe [mm]": _or_stage(response.set_length, response),
+        "set_length_analytic [mm]": losses.set_length,
+    }
+    anchored = response.tendon.get(ANCHORED)
+    for name in ("min", "mean", "max"):
+        row[f"stress_anchored_{name} [MPa]"] = _stress(anchored, name, response)
+    row["camber_anchored [mm]"] = _or_stage(response.camber, response)
+    row |= _capacity(response)
+    row["residual_max"] = response.residual_max
+    row["newton_iterations"] = response.newton_iterations
+    return row
+
+
+def _capacity(response: Response) -> Row:
+    """Cracking, yield and peak under live load."""
+    peak, at_peak, curve = response.event("peak"), response.tendon.get(PEAK), response.curve
+    row: Row = {
+        "load_cracking [kN]": _event_load(response, "cracking", "no crack"),
+        "load_yield [kN]": _event_load(response, "yield", "no bar or tendon yields"),
+    }
+    names = ("load_peak [kN]", "load_factor_peak", "deflection_peak [mm]", "moment_peak [kN m]")
+    if peak is None or at_peak is None or curve is None:
+        row |= dict.fromkeys(names, _not_reached(response))
+        row |= dict.fromkeys(("tendon_stress_peak_mean [MPa]", "tendon_stress_peak_max [MPa]"), _not_reached(response))
+        return row | {"failure": _not_reached(response)}
+    factor = float(curve.factor[int(peak.step)])
+    return row | {
+        "load_peak [kN]": peak.load / 1e3,
+        "load_factor_peak": factor if response.has_service_value else "no service live load given",
+        "deflection_peak [mm]": peak.deflection,
+        "moment_peak [kN m]": float(curve.moment_max[int(peak.step)]) / 1e6,
+        "tendon_stress_peak_mean [MPa]": at_peak.mean,
+        "tendon_stress_peak_max [MPa]": at_peak.most,
+        "failure": response.failure,
+    }
+
+
+def _not_reached(response: Response) -> str:
+    return f"not converged: {response.message}"
+
+
+def _or_stage(value: float | None, response: Response) -> Value:
+    return _not_reached(response) if value is None else value
+
+
+def _stress(state: TendonState | None, name: str, response: Response) -> Value:
+    if state is None:
+        return _not_reached(response)
+    return {"min": state.least, "mean": state.mean, "max": state.most}[name]
+
+
+def _event_load(response: Response, name: str, otherwise: str) -> Value:
+    """Load of an event, or why there is none."""
+    event = response.event(name)
+    if response.curve is None or response.event("peak") is None:
+        return _not_reached(response)
+    if event is None:
+        return f"{otherwise} before the end of the curve"
+    return "before any live load" if _before_live(event, response) else event.load / 1e3
+
+
+def _before_live(event: Event, response: Response) -> bool:
+    """Whether something had happened by the last step without live load."""
+    assert response.curve is not None
+    return event.step <= np.flatnonzero(response.curve.factor != 0.0)[0] - 1
+
+
+def _live_end(member: Member) -> int:
+    return 1 if member.jack == "right" else 0
+
+
+def _anchor_stress(member: Member, response: Response, stage: str) -> Value:
+    """Stress at the (left) live end's anchor."""
+    state = response.tendon.get(stage)
+    return _not_reached(response) if state is None else state.anchor_stress[_live_end(member)]
+
+
+def _loss_jacking_end(member: Member, response: Response) -> Value:
+    jacked, anchored = (_anchor_stress(member, response, stage) for stage in (JACKED, ANCHORED))
+    if isinstance(jacked, str) or isinstance(anchored, str):
+        return _not_reached(response)
+    return 100.0 * (1.0 - anchored / jacked)
+
+
+def _loss_fixed_end(member: Member, response: Response) -> Value:
+    """At the dead end's anchor; with two live ends where the stress is least."""
+    jacked, anchored = _anchor_stress(member, response, JACKED), response.tendon.get(ANCHORED)
+    if isinstance(jacked, str) or anchored is None:
+        return _not_reached(response)
+    far = anchored.least if member.jack == "both" else anchored.anchor_stress[1 - _live_end(member)]
+    return 100.0 * (1.0 - far / jacked)
+
+
+def tendon_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `tendon`: one an anchor and one a tendon element, for each stage."""
+    losses, end = response.losses, member.total_length
+    analytic = {JACKED: losses.stress_jacked, SET: losses.stress_anchored, ANCHORED: losses.stress_anchored}
+    for stage in (JACKED, SET, ANCHORED, PEAK):
+        state = response.tendon.get(stage)
+        if state is None:
+            continue
+        x = np.concatenate([[0.0], state.x, [end]])
+        stress = np.concatenate([state.anchor_stress[:1], state.stress, state.anchor_stress[1:]])
+        slip = np.concatenate([state.end_slip[:1], state.slip, state.end_slip[1:]])
+        curve = analytic[stage](x) if stage in analytic else None
+        for i in range(len(x)):
+            yield {
+                "member": member.member,
+                "stage": stage,
+                "x [mm]": float(x[i]),
+                "stress_fe [MPa]": float(stress[i]),
+                "stress_analytic [MPa]": "" if curve is None else float(curve[i]),
+                "slip [mm]": float(slip[i]),
+            }
+
+
+def curve_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `curves`: one a recorded step from the anchored state on, with what happened by then."""
+    curve = response.curve
+    if curve is None:
+        return
+    for i in range(len(curve.load)):
+        events = [event.name for event in response.events if int(np.ceil(event.step)) == i]
+        yield {
+            "member": member.member,
+            "step": i,
+            "load_factor": float(curve.factor[i]),
+            "load [kN]": float(curve.load[i]) / 1e3,
+            "deflection [mm]": float(curve.deflection[i]),
+            "moment_max [kN m]": float(curve.moment_max[i]) / 1e6,
+            "tendon_stress_min [MPa]": float(curve.stress_min[i]),
+            "tendon_stress_mean [MPa]": float(curve.stress_mean[i]),
+            "tendon_stress_max [MPa]": float(curve.stress_max[i]),
+            "event": ", ".join(events),
+        }

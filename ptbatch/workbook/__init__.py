@@ -1,0 +1,1 @@
+"""Spreadsheets: what a column means, reading members from a workbook, writing results to another."""

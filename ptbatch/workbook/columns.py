@@ -1,0 +1,247 @@
+"""The registry of input columns: reading, validation, defaults and the template all derive from it.
+
+A new column is one entry here and, if an analysis needs it, one field of `Member`.
+"""
+
+from math import sqrt
+
+from ptbatch.workbook.column import Column, Derived
+
+SUPPORTS = ("pin", "roller", "fixed", "free")
+NO_BARS = Derived("none", (), tuple)
+
+MEMBERS = (
+    Column("member", "unique name", "text", required=True, example=("B1", "B1")),
+    Column("kind", "beam, or slab for a design strip", "choice", default="beam", choices=("beam", "slab")),
+    Column(
+        "span",
+        "length of each span, from the left",
+        "list",
+        "length",
+        required=True,
+        us="ft",
+        example=(12000, 40),
+    ),
+    Column("support_left", "support at the left end", "choice", default="pin", choices=SUPPORTS),
+    Column("support_right", "support at the right end", "choice", default="roller", choices=SUPPORTS),
+    Column(
+        "shape",
+        "cross-section",
+        "choice",
+        default="rectangle",
+        choices=("rectangle", "tee", "i", "box"),
+    ),
+    Column("b", "overall width", quantity="length", required=True, example=(300, 12)),
+    Column("h", "overall depth", quantity="length", required=True, example=(600, 24)),
+    Column("bw", "tee, i: width of the web; box: sum of its webs", quantity="length"),
+    Column("hf", "tee, i, box: thickness of the top flange", quantity="length"),
+    Column(
+        "b_bottom",
+        "i, box: width of the bottom flange",
+        quantity="length",
+        default=Derived("b for a box", ("shape", "b"), lambda shape, b: b if shape == "box" else None),
+    ),
+    Column(
+        "hf_bottom",
+        "i, box: thickness of the bottom flange",
+        quantity="length",
+        default=Derived("hf for a box", ("shape", "hf"), lambda shape, hf: hf if shape == "box" else None),
+    ),
+    Column("fc", "cylinder strength of the concrete", quantity="stress", required=True, example=(40, 6)),
+    Column(
+        "ft",
+        "tensile strength of the concrete",
+        quantity="stress",
+        limit="not negative",
+        default=Derived("0.62 sqrt(fc), in MPa", ("fc",), lambda fc: 0.62 * sqrt(fc)),
+    ),
+    Column(
+        "Ec",
+        "modulus of the concrete",
+        quantity="stress",
+        default=Derived("4700 sqrt(fc), in MPa", ("fc",), lambda fc: 4700.0 * sqrt(fc)),
+    ),
+    Column(
+        "concrete_law",
+        "compression law; elastic is linear both ways, for verification",
+        "choice",
+        default="hognestad",
+        choices=("hognestad", "parabola-rectangle", "popovics", "elastic"),
+    ),
+    Column(
+        "crushing_strain",
+        "end of the concrete law (0.85 fc there for hognestad)",
+        limit="fraction",
+        default=Derived(
+            "0.0038 (0.0035 for parabola-rectangle)",
+            ("concrete_law",),
+            lambda law: 0.0035 if law == "parabola-rectangle" else 0.0038,
+        ),
+    ),
+    Column(
+        "tension_law",
+        "after cracking: no stress, linear softening, or tension stiffening",
+        "choice",
+        default="stiffening",
+        choices=("none", "softening", "stiffening"),
+    ),
+    Column("tension_end", "softening reaches zero at this many cracking strains", default=10.0),
+    Column("density", "unit weight, for self-weight", quantity="unit weight", default=24.0),
+    Column("self_weight", "self-weight acts from the jacking stage on", "yesno", default=True),
+    Column(
+        "Aps",
+        "tendon area, per member or per strip",
+        quantity="area",
+        required=True,
+        example=(592, 0.918),
+    ),
+    Column("fpu", "strength of the tendon", quantity="stress", default=1860.0),
+    Column(
+        "fpy",
+        "yield stress of the tendon",
+        quantity="stress",
+        default=Derived("0.9 fpu", ("fpu",), lambda fpu: 0.9 * fpu),
+    ),
+    Column("Ep", "modulus of the tendon", quantity="stress", default=195000.0),
+    Column(
+        "tendon_law",
+        "bilinear: to fpy, then straight to fpu at epu",
+        "choice",
+        default="ramberg-osgood",
+        choices=("ramberg-osgood", "bilinear", "elastic"),
+    ),
+    Column("epu", "rupture strain of the tendon", limit="fraction", default=0.035),
+    Column(
+        "profile",
+        "shape of the tendon",
+        "choice",
+        default="parabola",
+        choices=("straight", "parabola", "harped"),
+    ),
+    Column(
+        "dp",
+        "depths of the tendon below the top fibre; straight: one number; others: left end, then the "
+        "low point and the right end of each span. Not needed where the sheet `profile` gives the tendon",
+        "list",
+        "length",
+        required=True,
+        example=("300; 500; 300", "12; 20; 12"),
+    ),
+    Column(
+        "harp",
+        "harped: harping points as fractions of the span",
+        "list",
+        limit="fraction",
+        default=Derived("1/3; 2/3", (), lambda: (1 / 3, 2 / 3)),
+    ),
+    Column(
+        "inflection",
+        "parabola: inflection point from an interior support, as a fraction of the span",
+        limit="fraction",
+        default=0.1,
+    ),
+    Column(
+        "fpj",
+        "stress at the live end while jacking: give fpj or fpe",
+        quantity="stress",
+        example=(1395, 202.5),
+    ),
+    Column("fpe", "mean stress wanted after anchoring: give fpj or fpe", quantity="stress"),
+    Column("jack", "live end", "choice", default="left", choices=("left", "right", "both")),
+    Column(
+        "set",
+        "wedge set (draw-in) at each live end",
+        quantity="length",
+        limit="not negative",
+        default=6.0,
+    ),
+    Column("mu", "curvature friction", quantity="friction", limit="not negative", default=0.07),
+    Column(
+        "k_ec2",
+        "wobble as an angle: K = mu k_ec2. Give K or k_ec2, not both",
+        quantity="angle per length",
+        limit="not negative",
+    ),
+    Column(
+        "K",
+        "wobble per length: P = P0 exp(-(mu alpha + K x))",
+        quantity="friction per length",
+        limit="not negative",
+        default=Derived(
+            "0.0033, or mu k_ec2", ("mu", "k_ec2"), lambda mu, k: 3.3e-6 if k is None else mu * k
+        ),
+    ),
+    Column(
+        "wobble",
+        "direct: friction per length at the contact; sine: equivalent wavy profile",
+        "choice",
+        default="direct",
+        choices=("direct", "sine"),
+    ),
+    Column(
+        "bond",
+        "bonded: grouted after anchoring",
+        "choice",
+        default="unbonded",
+        choices=("unbonded", "bonded"),
+    ),
+    Column("As", "areas of bonded bars", "list", "area", NO_BARS, limit="not negative"),
+    Column(
+        "ds", "depths of the bars As below the top fibre", "list", "length", NO_BARS, limit="not negative"
+    ),
+    Column("As_top", "areas of top bars", "list", "area", NO_BARS, limit="not negative"),
+    Column("ds_top", "depths of the bars As_top", "list", "length", NO_BARS, limit="not negative"),
+    Column("fy", "yield stress of the bars", quantity="stress", default=420.0),
+    Column("Es", "modulus of the bars", quantity="stress", default=200000.0),
+    Column(
+        "hardening",
+        "slope after yield as a fraction of Es",
+        limit="not negative",
+        default=0.01,
+    ),
+    Column("esu", "rupture strain of the bars", limit="fraction", default=0.05),
+    Column(
+        "w_dead",
+        "sustained load besides self-weight, put on before the live load",
+        quantity="line load",
+        limit="not negative",
+        default=0.0,
+        example=(5, 0.35),
+    ),
+    Column(
+        "live",
+        "pattern that the last stage scales; loads: rows of that sheet",
+        "choice",
+        default="uniform",
+        choices=("uniform", "midspan", "third-points", "loads"),
+    ),
+    Column(
+        "w_live",
+        "live=uniform: service load; load factor 1",
+        quantity="line load",
+        limit="not negative",
+        example=(10, 0.7),
+    ),
+    Column(
+        "P_live",
+        "live=midspan, third-points: total service load in a span",
+        quantity="force",
+        limit="not negative",
+    ),
+    Column(
+        "live_spans",
+        "loaded spans, 1 = left",
+        "integers",
+        default=Derived("all", ("span",), lambda span: tuple(range(1, len(span) + 1))),
+    ),
+    Column(
+        "deflection_limit",
+        "the analysis stops at this deflection at the latest",
+        quantity="length",
+        default=Derived("longest span / 50", ("span",), lambda span: max(span) / 50.0),
+    ),
+    Column("elements", "beam elements per span", "integer", default=20),
+    Column("layers", "concrete layers of the section", "integer", default=40),
+)
+
+BY_NAME = {column.name: column for column in MEMBERS}

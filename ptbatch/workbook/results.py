@@ -1,0 +1,106 @@
+"""The sheets of a results workbook, their columns exactly as offices rely on them."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ptbatch.workbook.inputs import Inputs
+from ptbatch.workbook.rows import Row
+from ptbatch.workbook.write import Sheet, sayable
+
+HEAD = ("member", "status", "message")
+SUMMARY = (
+    "jacking_stress [MPa]",
+    "elongation_before_set [mm]",
+    "elongation_after_set [mm]",
+    "loss_jacking_end_fe [%]",
+    "loss_jacking_end_analytic [%]",
+    "loss_fixed_end_fe [%]",
+    "loss_fixed_end_analytic [%]",
+    "set_length_fe [mm]",
+    "set_length_analytic [mm]",
+    "stress_anchored_min [MPa]",
+    "stress_anchored_mean [MPa]",
+    "stress_anchored_max [MPa]",
+    "camber_anchored [mm]",
+    "load_cracking [kN]",
+    "load_yield [kN]",
+    "load_peak [kN]",
+    "load_factor_peak",
+    "deflection_peak [mm]",
+    "moment_peak [kN m]",
+    "tendon_stress_peak_mean [MPa]",
+    "tendon_stress_peak_max [MPa]",
+    "failure",
+    "residual_max",
+    "newton_iterations",
+    "time [ms]",
+)
+TENDON = ("member", "stage", "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]", "slip [mm]")
+CURVES = (
+    "member",
+    "step",
+    "load_factor",
+    "load [kN]",
+    "deflection [mm]",
+    "moment_max [kN m]",
+    "tendon_stress_min [MPa]",
+    "tendon_stress_mean [MPa]",
+    "tendon_stress_max [MPa]",
+    "event",
+)
+PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
+INVALID = "invalid input"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Result of one member: a summary and rows of the sheets `tendon` and `curves`, by the headers above."""
+
+    status: str
+    message: str
+    summary: Mapping[str, Any]
+    tendon: Sequence[Mapping[str, Any]] = ()
+    curves: Sequence[Mapping[str, Any]] = ()
+
+
+def summary_headers(inputs: Inputs) -> list[str]:
+    """Headers of the summary, the unknown columns of the input last."""
+    own = [*HEAD, *SUMMARY]
+    return own + [f"{header} (input)" if header in own else header for header in inputs.extra_headers]
+
+
+def summary_line(row: Row, outcome: Outcome | None) -> list[Any]:
+    """Line of a row; outcome is None where the row is invalid."""
+    if outcome is None:
+        return [row.name, "invalid", row.message, *[INVALID] * len(SUMMARY), *row.extra]
+    status = "warning" if outcome.status == "ok" and row.problems else outcome.status
+    message = "; ".join(text for text in (outcome.message, row.message) if text)
+    return [row.name, status, message, *(outcome.summary[header] for header in SUMMARY), *row.extra]
+
+
+def summary_records(headers: Sequence[str], lines: Sequence[Sequence[Any]]) -> list[dict[str, Any]]:
+    """The summary for JSON, a dictionary by header for each row."""
+    return [dict(zip(headers, map(sayable, line), strict=True)) for line in lines]
+
+
+def result_sheets(
+    inputs: Inputs,
+    lines: Sequence[Sequence[Any]],
+    outcomes: Sequence[Outcome | None],
+    run: Mapping[str, Any],
+) -> Iterator[Sheet]:
+    """All sheets of a results workbook, in their order."""
+    yield Sheet("summary", summary_headers(inputs), lines)
+    yield Sheet("tendon", TENDON, _rows(inputs, outcomes, "tendon", TENDON))
+    yield Sheet("curves", CURVES, _rows(inputs, outcomes, "curves", CURVES))
+    yield Sheet("problems", PROBLEMS, [problem.row() for problem in inputs.all_problems()])
+    yield Sheet("run", ("name", "value"), list(run.items()))
+
+
+def _rows(
+    inputs: Inputs, outcomes: Sequence[Outcome | None], table: str, headers: Sequence[str]
+) -> Iterator[list[Any]]:
+    for row, outcome in zip(inputs.rows, outcomes, strict=True):
+        for line in getattr(outcome, table, ()):
+            yield [row.name, *(line[header] for header in headers[1:])]

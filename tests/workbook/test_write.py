@@ -1,0 +1,167 @@
+"""Results workbooks: what is written can be read back, and the file is whole or not there."""
+
+import os
+from datetime import date
+
+import pytest
+from openpyxl import load_workbook
+
+from ptbatch.batch import results_path, run_workbook
+from ptbatch.errors import WriteError
+from ptbatch.workbook import write
+from ptbatch.workbook.results import PROBLEMS, SUMMARY
+from ptbatch.workbook.write import Sheet, write_workbook
+
+
+def round_trip(path, *values):
+    write_workbook(path, [Sheet("one", [f"h{i}" for i in range(len(values))], [values])])
+    return next(load_workbook(path)["one"].iter_rows(min_row=2))
+
+
+def sheet(path, name) -> list[dict]:
+    """Rows of a sheet by header."""
+    headers, *rows = load_workbook(path)[name].iter_rows(values_only=True)
+    return [dict(zip(headers, row, strict=True)) for row in rows]
+
+
+@pytest.mark.parametrize("text", ["=1+1", "+1", "-1", "@sum", "NA", "001", "TRUE", "1e5", "#N/A", "  x"])
+def test_text_stays_text(tmp_path, text):
+    (cell,) = round_trip(tmp_path / "a.xlsx", text)
+    assert (cell.value, cell.data_type) == (text, "s")
+
+
+@pytest.mark.parametrize("value", [0.1, -1e-300, 3, True, date(2024, 3, 1)])
+def test_values_keep_their_type(tmp_path, value):
+    (cell,) = round_trip(tmp_path / "a.xlsx", value)
+    assert getattr(cell.value, "date", lambda: cell.value)() == value
+
+
+def test_what_excel_cannot_hold(tmp_path):
+    values = [
+        cell.value for cell in round_trip(tmp_path / "a.xlsx", float("nan"), "a\x00\x0bb", "x" * 40_000)
+    ]
+    assert values[:2] == ["not a finite number", "ab"]
+    assert len(values[2]) == 32_767
+    assert values[2].endswith(" ...")
+
+
+def test_look(tmp_path):
+    write_workbook(tmp_path / "a.xlsx", [Sheet("s", ["member", "load [kN]"], [["B1", 1.23456]])])
+    page = load_workbook(tmp_path / "a.xlsx")["s"]
+    assert page.freeze_panes == "B2"
+    assert page["A1"].font.bold
+    assert page["B2"].number_format == "0.0"
+    assert page.column_dimensions["A"].width == 16
+
+
+# --- the file ---
+
+SHEETS = [Sheet("s", ["a"], [[1.0]])]
+
+
+def names(folder) -> list[str]:
+    return sorted(os.listdir(folder))
+
+
+def test_replaces_the_old_file(tmp_path):
+    path = tmp_path / "a.xlsx"
+    path.write_text("old")
+    assert write_workbook(path, SHEETS) == path
+    assert names(tmp_path) == ["a.xlsx"]
+    assert load_workbook(path)["s"]["A2"].value == 1.0
+
+
+def test_takes_the_next_free_name_if_the_file_is_in_use(tmp_path, monkeypatch):
+    path, replace = tmp_path / "a.results.xlsx", os.replace
+    path.write_text("open in Excel")
+    (tmp_path / "a.results-2.xlsx").write_text("another")
+
+    def in_use(source, target):
+        if target == path:
+            raise PermissionError(13, "in use")
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", in_use)
+    assert write_workbook(path, SHEETS) == tmp_path / "a.results-3.xlsx"
+    assert path.read_text() == "open in Excel"
+    assert len(names(tmp_path)) == 3
+
+
+@pytest.mark.parametrize("step", ["fsync", "replace"])
+def test_failure_leaves_the_old_file(tmp_path, monkeypatch, step):
+    path = tmp_path / "a.xlsx"
+    path.write_text("old")
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, step, full)
+    with pytest.raises(WriteError, match="No space left on device"):
+        write_workbook(path, SHEETS)
+    assert (names(tmp_path), path.read_text()) == (["a.xlsx"], "old")
+
+
+def test_what_is_on_disk_is_verified(tmp_path, monkeypatch):
+    monkeypatch.setattr(write.ZipFile, "testzip", lambda self: "xl/workbook.xml")
+    with pytest.raises(WriteError, match="not what was written"):
+        write_workbook(tmp_path / "a.xlsx", SHEETS)
+    assert names(tmp_path) == []
+
+
+def test_no_such_folder(tmp_path):
+    with pytest.raises(WriteError, match="cannot be written"):
+        write_workbook(tmp_path / "none" / "a.xlsx", SHEETS)
+
+
+# --- results ---
+
+
+def test_results(book, beam, engine):
+    source = book(
+        beam | {"note": "=A1", "Status": "as built"},
+        beam | {"member": "@B2", "fc": "x", "dp": "1;2", "note": 7},
+        beam | {"member": "stuck"},
+        beam | {"member": "held", "support_right": "pin"},
+    )
+    before = source.read_bytes()
+    batch = run_workbook(source, jobs=2)
+    assert source.read_bytes() == before
+    assert batch.path == results_path(source) == source.with_name("beams.results.xlsx")
+    assert load_workbook(batch.path).sheetnames == ["summary", "tendon", "curves", "problems", "run"]
+    summary = sheet(batch.path, "summary")
+    assert list(summary[0]) == ["member", "status", "message", *SUMMARY, "note", "Status"]
+    assert [row["status"] for row in summary] == ["ok", "invalid", "not converged", "warning"]
+    assert [row["member"] for row in summary] == ["B1", "@B2", "stuck", "held"]
+    assert [row["note"] for row in summary] == ["=A1", 7, None, None]
+    assert summary[0]["load_peak [kN]"] == 1.25
+    assert summary[1]["load_peak [kN]"] == "invalid input"
+    assert summary[1]["message"].endswith("(and 1 more, see the sheet problems)")
+    assert summary[2]["load_peak [kN]"] == "not reached: no equilibrium"
+    assert "take part of the prestress" in summary[3]["message"]
+
+
+def test_other_sheets(book, beam, engine):
+    source = book(
+        beam | {"nte": 1}, beam | {"member": "B2", "fc": "x"}, settings=[{"name": "mu", "value": 0.2}]
+    )
+    path = run_workbook(source).path
+    assert [(row["member"], row["stage"]) for row in sheet(path, "tendon")] == [("B1", "jacked")]
+    assert [(row["member"], row["event"]) for row in sheet(path, "curves")] == [("B1", "peak")] * 2
+    assert [tuple(row) for row in sheet(path, "problems")] == [PROBLEMS] * 2
+    assert [row["cell"] for row in sheet(path, "problems")] == ["I1", "E3"]
+    assert sheet(path, "problems")[0]["what is wrong"] == "warning: unknown column"
+    run = {row["name"]: row["value"] for row in sheet(path, "run")}
+    assert (run["rows"], run["rows ok"], run["rows invalid"], run["setting mu"]) == (2, 1, 1, 0.2)
+    assert len(run["input sha256"]) == 64
+    assert run["input"] == str(source)
+
+
+def test_column_with_the_name_of_a_result(book, beam, engine):
+    path = run_workbook(book(beam | {"failure": "none so far"})).path
+    assert sheet(path, "summary")[0]["failure (input)"] == "none so far"
+
+
+def test_input_is_never_the_target(book, beam, engine):
+    source = book(beam)
+    with pytest.raises(WriteError, match="never touched"):
+        run_workbook(source, source)
