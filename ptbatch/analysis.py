@@ -18,7 +18,7 @@ from ptbatch.response import Response
 
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
-ITERATIONS = 20, 40, 200  # most in a step: whole steps, searched steps, searched steps with secants
+ITERATIONS = 20, 40, 200  # most in a step: whole steps, searched steps, searched steps without softening
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ptbatch.runner import Progress
 
 OK, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 3, 4, 70, 130
+PASSED = ("ok", "warning")
 SHOWN_ROWS = 40  # of the closing table
 
 EPILOG = """\b
@@ -115,6 +116,9 @@ def _progress() -> "Progress | None":
     """Rewrites one line of a terminal; silent elsewhere."""
     if not sys.stderr.isatty():
         return None
+    from ptbatch.core.cache import is_warm
+
+    click.echo("analysing" if is_warm() else "compiling (first run only, a minute or two)", err=True, nl=False)
 
     def show(done: int, total: int, member: str) -> None:
         click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)
@@ -132,13 +136,12 @@ def _print_json(batch: "Batch") -> None:
 
 
 def _closing_table(batch: "Batch") -> list[str]:
-    """Member, status, peak load and failure or message; rows that did not pass first."""
-    columns = [
-        batch.headers.index(name) for name in ("member", "status", "load_peak [kN]", "failure", "message")
-    ]
-    by_concern = sorted(batch.lines, key=lambda line: line[1] in ("ok", "warning"))
-    rows = [[_short(line[i]) for i in columns] for line in by_concern[:SHOWN_ROWS]]
-    table = [["member", "status", "peak [kN]", "failure", "message"], *rows]
+    """Member, status, peak load and how it ended; rows that did not pass first."""
+    names = ("member", "status", "load_peak [kN]", "failure", "message")
+    columns = [batch.headers.index(name) for name in names]
+    by_concern = sorted(batch.lines, key=lambda line: line[1] in PASSED)
+    rows = [_closing_row(*(line[i] for i in columns)) for line in by_concern[:SHOWN_ROWS]]
+    table = [("member", "status", "peak [kN]", "end"), *rows]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
     lines = ["  ".join(text.ljust(w) for text, w in zip(row, widths, strict=True)).rstrip() for row in table]
     if len(batch.lines) > SHOWN_ROWS:
@@ -149,6 +152,12 @@ def _closing_table(batch: "Batch") -> list[str]:
     return [*lines, f"{counts}; results: {batch.path}"]
 
 
-def _short(value: Any) -> str:
-    text = f"{value:.1f}" if isinstance(value, float) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+def _closing_row(member: str, status: str, peak: Any, failure: Any, message: str) -> tuple[str, ...]:
+    """A row that did not pass has no peak, and its message says why."""
+    passed = status in PASSED
+    end = "; ".join(str(text) for text in (failure if passed else "", message) if text)
+    return _short(member, 30), status, f"{peak:9.1f}" if passed else "-".rjust(9), _short(end, 100)
+
+
+def _short(text: str, most: int) -> str:
+    return text if len(text) <= most else text[: most - 3] + "..."

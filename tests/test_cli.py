@@ -118,11 +118,11 @@ def test_progress_on_a_terminal(book, beam, engine, monkeypatch, capsys):
 
 def test_check(book, beam, capsys):
     assert exit_code(["check", str(book(beam))]) == 0
-    assert exit_code(["check", str(book(beam | {"fc": "12,5", "note": 1}))]) == 3
+    assert exit_code(["check", str(book(beam | {"fc": "12,5", "mark": 1}))]) == 3
     out, err = capsys.readouterr()
     assert out == ""
     assert "members!E2  fc = 12,5: a comma is not clear; use a point for decimals" in err
-    assert "members!I1  note" in err
+    assert "members!I1  mark" in err
     assert "1 rows: 0 valid, 1 invalid" in err
 
 

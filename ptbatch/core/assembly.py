@@ -212,7 +212,7 @@ def add_to(matrix, row, column, value):
 
 
 @kernel
-def tangent(model, state, u, ends, bonded, secant, work):
+def tangent(model, state, u, ends, bonded, flat, work):
     """work.f and work.matrix at u, after a fresh contact search."""
     n = model.x.size - 1
     search(model, u, work)
@@ -220,7 +220,7 @@ def tangent(model, state, u, ends, bonded, secant, work):
     work.f[:] = 0.0
     work.matrix[:] = 0.0
     for e in range(n):
-        add_beam(e, model, state, u, secant, work)
+        add_beam(e, model, state, u, flat, work)
     for e in range(1, n):
         add_truss(e, work)
     for j in range(1, n + 1):
@@ -231,10 +231,10 @@ def tangent(model, state, u, ends, bonded, secant, work):
 
 
 @kernel
-def add_beam(e, model, state, u, secant, work):
+def add_beam(e, model, state, u, flat, work):
     for i in range(6):
         work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-    beam_tangent(e, model, state, work.q6, secant, work.f6, work.k6)
+    beam_tangent(e, model, state, work.q6, flat, work.f6, work.k6)
     for i in range(6):
         row = (beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i
         work.f[row] += work.f6[i]

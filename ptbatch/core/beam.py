@@ -33,8 +33,11 @@ def section_forces(eps0, kappa, model, past, plastic, bar_area):
 
 
 @kernel
-def section_tangent(eps0, kappa, model, past, plastic, bar_area, secant):
-    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa): one complex evaluation a fibre gives stress and modulus."""
+def section_tangent(eps0, kappa, model, past, plastic, bar_area, flat):
+    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa): one complex evaluation a fibre gives stress and modulus.
+
+    flat: fibres that soften count with no stiffness rather than with a negative one.
+    """
     N = 0.0
     M = 0.0
     EA = 0.0
@@ -45,8 +48,8 @@ def section_tangent(eps0, kappa, model, past, plastic, bar_area, secant):
         stress = concrete_stress(complex(eps0 - y * kappa, STEP), past[i], model.concrete)
         force = model.layer_area[i] * stress.real
         stiffness = model.layer_area[i] * (stress.imag / STEP)
-        if secant and stiffness < 0.0:
-            stiffness = force / (eps0 - y * kappa)
+        if flat and stiffness < 0.0:
+            stiffness = 0.0
         N += force
         M -= y * force
         EA += stiffness
@@ -108,7 +111,7 @@ def beam_forces(e, model, state, d, f):
 
 
 @kernel
-def beam_tangent(e, model, state, d, secant, f, k):
+def beam_tangent(e, model, state, d, flat, f, k):
     """Nodal forces f (6,) and tangent k (6, 6): material part by the complex step in the fibres, geometric part of the chord."""
     length = model.x[e + 1] - model.x[e]
     elongation, c, s, now, turn1, turn2 = chord(length, d)
@@ -120,7 +123,7 @@ def beam_tangent(e, model, state, d, secant, f, k):
         b2 = 6.0 * xi - 2.0
         eps0, kappa = strains(length, elongation, turn1, turn2, xi)
         Ng, Mg, EA, ES, EI = section_tangent(
-            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], secant
+            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], flat
         )
         N += 0.5 * Ng
         M1 += 0.5 * b1 * Mg

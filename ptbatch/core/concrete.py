@@ -1,8 +1,8 @@
 """Concrete: stress from strain, tension positive, both branches and their reversal.
 
-On reversal a fibre returns along the secant to the origin from the worst strain that it has seen on that side, and keeps to
-that secant until the worst strain is exceeded: an opened crack does not carry ft again, crushed concrete does not regain
-its strength, and no residual strain is kept. The two sides do not know each other.
+On reversal from compression a fibre unloads straight, at most with the law's initial modulus, to the residual strain of Karsan and
+Jirsa (1969), and returns on the same line: crushed concrete does not regain its strength. Tension is counted from that residual strain. On
+reversal from a crack it returns along the secant to where tension is counted from, and reopens on it: an opened crack does not carry ft again.
 Beyond `crushing_strain` the last stress is held: the member has failed by then (the event is reported and capacity is taken
 no later), and the curve that follows is for information.
 """
@@ -21,6 +21,7 @@ class Concrete(NamedTuple):
     law: int
     fc: float
     Ec: float
+    E0: float  # initial modulus of the compression branch
     eps_c: float  # strain at fc
     exponent: float  # of parabola-rectangle (n) or popovics (r)
     crushing_strain: float
@@ -84,18 +85,33 @@ def tension(x, c):
 
 @kernel
 def concrete_stress(eps, past, c):
-    """Stress of a fibre; past = (worst tension, its secant, worst compression, its secant), strains as magnitudes."""
-    if eps.real >= 0.0:
-        return past[1] * eps if eps.real < past[0] else tension(eps, c)
-    return past[3] * eps if -eps.real < past[2] else -compression(-eps, c)
+    """Stress of a fibre. past (5,), strains as magnitudes: worst tension, its secant, worst compression, its unloading modulus and residual
+    strain."""
+    opening = eps + past[4]
+    if opening.real > 0.0:  # at rest a fibre shows its compressive modulus, also where tension has none
+        return past[1] * opening if opening.real < past[0] else tension(opening, c)
+    return past[3] * opening if -eps.real < past[2] else -compression(-eps, c)
+
+
+@kernel
+def residual_strain(x, c):
+    """Residual strain (positive) after unloading from the compressive strain x; Karsan and Jirsa (1969) as fitted by Kent, Scott and Park,
+    and never less than unloading with the initial modulus leaves."""
+    ratio = x / c.eps_c
+    residual = 0.145 * ratio**2 + 0.13 * ratio if ratio < 2.0 else 0.707 * (ratio - 2.0) + 0.834
+    return min(residual * c.eps_c, x - compression(x, c) / c.E0)
 
 
 @kernel
 def commit_concrete(eps, past, c):
-    """Move the worst strain and its secant on where eps exceeds it."""
-    if eps > past[0]:
-        past[0] = eps
-        past[1] = tension(eps, c) / eps
+    """Move the worst strains on where eps exceeds them."""
+    if c.law == ELASTIC:
+        return
+    opening = eps + past[4]
+    if opening > past[0]:
+        past[0] = opening
+        past[1] = tension(opening, c) / opening
     elif -eps > past[2]:
         past[2] = -eps
-        past[3] = compression(-eps, c) / -eps
+        past[4] = residual_strain(-eps, c)
+        past[3] = compression(-eps, c) / (-eps - past[4])

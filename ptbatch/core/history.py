@@ -93,3 +93,4 @@ def rewind(state, work):
     """Start a trial from the committed state."""
     work.trial[:] = state.u
     work.segment[:] = state.segment
+    work.xi[:] = 0.5  # a failed trial may have left anything there

@@ -10,7 +10,7 @@ from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
-PLAIN, SEARCH, SECANT = range(3)  # whole steps; steps searched along; searched, with the secants of softening fibres
+PLAIN, SEARCH, FLAT = range(3)  # whole steps; steps searched along; searched, softening fibres without stiffness
 
 
 class Target(NamedTuple):
@@ -32,7 +32,7 @@ class Tolerance(NamedTuple):
     length: float
     plain: int  # most iterations, by the way of iterating
     search: int
-    secant: int
+    flat: int
 
 
 @kernel
@@ -136,9 +136,9 @@ def equilibrate(model, state, target, factor, ends, bonded, way, work, tolerance
     """Iterate work.trial to equilibrium in one of the ways above; returns (status, factor, iterations, relative residual)."""
     half = (work.matrix.shape[1] - 1) // 2
     increment = np.inf
-    most = tolerance.plain if way == PLAIN else tolerance.search if way == SEARCH else tolerance.secant
+    most = tolerance.plain if way == PLAIN else tolerance.search if way == SEARCH else tolerance.flat
     for iteration in range(most):
-        tangent(model, state, work.trial, ends, bonded, way == SECANT, work)
+        tangent(model, state, work.trial, ends, bonded, way == FLAT, work)
         unbalance(model, target, factor, ends, work)
         norm = residual_norm(ends, work, tolerance)
         if norm <= tolerance.residual and increment <= tolerance.increment:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from ptbatch.core.history import History, HistoryRef, commit, record, rewind
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
-from ptbatch.core.newton import CONVERGED, PLAIN, SEARCH, SECANT, Target, Tolerance, equilibrate
+from ptbatch.core.newton import CONVERGED, PLAIN, SEARCH, FLAT, Target, Tolerance, equilibrate
 from ptbatch.core.reference import reference
 from ptbatch.core.work import Work, WorkRef
 
@@ -36,12 +36,12 @@ def open_case(model, state, ends, work, history, tolerance):
 def find_equilibrium(case, fixed, pattern, dof, value, factor, bonded):
     """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations, relative residual).
 
-    Whole Newton steps first, which is all that most steps need; then searched ones, for friction that turns round; then the secant moduli of
-    softening fibres, which lead on slowly where cracks choose their places.
+    Whole Newton steps first, which is all that most steps need; then searched ones, for friction that turns round; then without the negative
+    stiffness of softening fibres, which leads on slowly but surely where cracks choose their places.
     """
     target = Target(fixed, pattern, dof, value)
     spent = 0
-    for way in (PLAIN, SEARCH, SECANT):
+    for way in (PLAIN, SEARCH, FLAT):
         rewind(case.state, case.work)
         status, reached, iterations, residual = equilibrate(
             case.model, case.state, target, factor, case.ends, bonded, way, case.work, case.tolerance

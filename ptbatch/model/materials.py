@@ -35,6 +35,7 @@ def concrete(member: Member) -> Concrete:
         CONCRETE_LAWS[member.concrete_law],
         member.fc,
         member.Ec,
+        exponent * member.fc / eps_c if member.concrete_law == "parabola-rectangle" else member.Ec,
         eps_c,
         exponent,
         member.crushing_strain,

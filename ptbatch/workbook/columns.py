@@ -244,4 +244,6 @@ MEMBERS = (
     Column("layers", "concrete layers of the section", "integer", default=40),
 )
 
+NOTE = Column("note", "free text, echoed in the results; any sheet may have it", "text")
+
 BY_NAME = {column.name: column for column in MEMBERS}

@@ -5,7 +5,8 @@ from ptbatch.workbook.units import parse_header
 _BY_UNIT = {"MPa": "0.0", "mm": "0.00", "%": "0.00", "kN": "0.0", "kN m": "0.0", "ms": "0"}
 _BY_NAME = {"x": "0", "load_factor": "0.000", "load_factor_peak": "0.000", "residual_max": "0.0E+00"}
 _WIDTHS = {
-    **{"member": 16, "status": 14, "message": 70, "failure": 20, "event": 20, "stage": 10},
+    **{"member": 26, "status": 14, "message": 70, "failure": 20, "event": 20, "stage": 10},
+    **{"span": 18, "dp": 28, "note": 60},
     **{"what is wrong": 60, "how to put it right": 60, "value": 30, "name": 24, "meaning": 90, "default": 34},
 }
 
@@ -17,5 +18,6 @@ def number_format(header: str) -> str:
 
 
 def width(header: str) -> float:
-    """Width of a column in characters."""
-    return _WIDTHS.get(header, min(max(10, len(header) + 2), 40))
+    """Width of a column in characters, the unit standing below the name."""
+    name, unit = parse_header(header)
+    return _WIDTHS.get(name, min(max(10, len(name) + 2, len(unit) + 4), 40))

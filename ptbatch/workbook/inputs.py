@@ -62,7 +62,7 @@ def read_inputs(path: Path) -> Inputs:
     with path.open("rb") as file:
         digest = file_digest(file, "sha256").hexdigest()
     rows = [reader.read(number) for number in table.rows]
-    return Inputs(path, digest, rows, problems, settings, list(table.unknown.values()))
+    return Inputs(path, digest, rows, problems, settings, list(table.others.values()))
 
 
 def _members(path: Path, raw: RawSheet, settings: Settings) -> Table:

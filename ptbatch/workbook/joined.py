@@ -87,9 +87,9 @@ def _gaps(table: Table, number: int, values: Values, bad: set[str]) -> Iterator[
 
 def _load_in_unit(table: Table, number: int, values: Values, system: System) -> Iterator[Problem]:
     """Read the value of a load once more, now that its type tells the quantity."""
-    if "value" not in values:
+    found, raw = table.at(number, "value"), table.raw(number, "value")
+    if found is None or "value" not in values:
         return
-    found, raw = table.found["value"], table.raw(number, "value")
     quantity = {"point": "force", "uniform": "line load"}[values["type"]]
     try:
         unit = found.unit or UNITS[quantity][system == "US"]

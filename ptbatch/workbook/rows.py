@@ -65,7 +65,7 @@ class RowReader:
         if member is not None:
             problems += [self._problem(fault, number, attached, True) for fault in member.warnings]
         cells = self.table.rows[number]
-        extra = tuple(cells.get(index) for index in self.table.unknown)
+        extra = tuple(cells.get(index) for index in self.table.others)
         return Row(number, name or f"(row {number})", member, problems, extra)
 
     def _duplicates(self, number: int, name: str) -> list[Problem]:

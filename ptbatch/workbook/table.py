@@ -1,5 +1,6 @@
 """A raw sheet seen as a table: which column stands where, and in which unit."""
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -7,6 +8,7 @@ from typing import Any
 from ptbatch.validation import closest
 from ptbatch.workbook.cells import CellError, parse
 from ptbatch.workbook.column import Column, System
+from ptbatch.workbook.columns import NOTE
 from ptbatch.workbook.problems import Place, Problem
 from ptbatch.workbook.read import RawSheet, address
 from ptbatch.workbook.units import Header, UnitError, factor, parse_header
@@ -16,38 +18,45 @@ HEADER_WITHIN = 30  # rows: a title and some notes may stand above the table
 
 @dataclass(frozen=True)
 class Found:
-    """A column of the registry found in the sheet; factor is None if its header is faulty."""
+    """A column of the registry found in the sheet; factor is 0 if its header is faulty."""
 
     column: Column
     index: int
     typed: str
     unit: str
-    factor: float | None
+    factor: float
 
 
 @dataclass(frozen=True)
 class Table:
-    """Columns found by name, unknown headers by column number, rows below the header, its problems."""
+    """Columns found by name, other headers by column number, rows below the header, its problems.
+
+    A column can stand there once in each unit, e.g. `span [m]` and `span [ft]`: a row fills one of them.
+    """
 
     sheet: str
     columns: Sequence[Column]
     header_row: int
-    found: dict[str, Found]
-    unknown: dict[int, str]
+    found: dict[str, list[Found]]
+    others: dict[int, str]
     rows: dict[int, dict[int, Any]]
     problems: list[Problem]
 
+    def at(self, row: int, name: str) -> Found | None:
+        """The column of this name that the row fills, or else the first; None if there is none."""
+        return next(iter(self._filled(row, name) or self.found.get(name, [])), None)
+
     def place(self, row: int, name: str) -> Place:
         """Place of a value; for a column that the sheet does not have, where its header could be put."""
-        if name in self.found:
-            found = self.found[name]
+        if found := self.at(row, name):
             return Place(self.sheet, address(row, found.index), found.typed)
-        free = 1 + max([found.index for found in self.found.values()] + list(self.unknown))
-        return Place(self.sheet, address(self.header_row, free), name)
+        taken = [found.index for columns in self.found.values() for found in columns]
+        return Place(self.sheet, address(self.header_row, 1 + max([*taken, *self.others])), name)
 
     def raw(self, row: int, name: str) -> Any:
         """Cell as typed; None if it is blank or there is no such column."""
-        return self.rows[row].get(self.found[name].index) if name in self.found else None
+        found = self.at(row, name)
+        return self.rows[row].get(found.index) if found else None
 
     def errors(self) -> list[Problem]:
         """Faults of the headers, which concern every row."""
@@ -58,19 +67,27 @@ class Table:
         values: dict[str, Any] = {}
         problems: list[Problem] = []
         bad: set[str] = set()
-        for name, found in self.found.items():
-            raw = self.raw(row, name)
-            if raw is None:
-                continue
-            try:
-                if found.factor is None:
-                    bad.add(name)
-                else:
-                    values[name] = parse(found.column, raw, found.factor)
-            except CellError as error:
-                problems.append(Problem(self.place(row, name), raw, error.wrong, error.cure))
+        for name in self.found:
+            filled = self._filled(row, name)
+            if not all(found.factor for found in filled):
                 bad.add(name)
+            elif filled:
+                try:
+                    values[name] = self._value(row, *filled)
+                except CellError as error:
+                    place, raw = self.place(row, name), self.raw(row, name)
+                    problems.append(Problem(place, raw, error.wrong, error.cure))
+                    bad.add(name)
         return values, problems, bad
+
+    def _filled(self, row: int, name: str) -> list[Found]:
+        return [found for found in self.found.get(name, []) if found.index in self.rows[row]]
+
+    def _value(self, row: int, found: Found, *others: Found) -> Any:
+        if others:
+            cells = " and ".join(address(row, other.index) for other in others)
+            raise CellError(f"{found.column.name} is given in {cells} as well", "leave all but one blank")
+        return parse(found.column, self.rows[row][found.index], found.factor)
 
 
 def find_header(raw: RawSheet, key: str) -> int | None:
@@ -86,29 +103,25 @@ def make_table(raw: RawSheet, header_row: int, columns: Sequence[Column], system
     """Match the headers of a row to columns; units that are not given are those of the system."""
     typed = {index: str(value).strip() for index, value in raw.rows[header_row].items()}
     headers = {index: parse_header(text) for index, text in typed.items()}
-    matches, twice = _match(headers, columns)
-    problems = [_twice(Place(raw.name, address(header_row, i), typed[i])) for i in twice]
-    found: dict[str, Found] = {}
-    for index, column in matches.items():
-        unit = headers[index].unit or column.unit(system)
-        try:
-            number = None if index in twice else factor(column.quantity, unit)
-        except UnitError as error:
-            number = None
-            place = Place(raw.name, address(header_row, index), typed[index])
-            problems.append(Problem(place, typed[index], error.wrong, error.cure))
-        found.setdefault(column.name, Found(column, index, typed[index], headers[index].unit, number))
-    unknown = {index: text for index, text in typed.items() if index not in matches}
+    matches = _match(headers, columns)
+    factors, faults = _factors(headers, matches, system)
+    found: dict[str, list[Found]] = {}
+    for i, column in matches.items():
+        found.setdefault(column.name, []).append(Found(column, i, typed[i], headers[i].unit, factors[i]))
+    others = {index: text for index, text in typed.items() if index not in matches}
+    places = {i: Place(raw.name, address(header_row, i), text) for i, text in typed.items()}
+    problems = [Problem(places[i], typed[i], *fault) for i, fault in faults.items()]
     problems += [
-        _unknown(Place(raw.name, address(header_row, i), text), headers[i].name, columns)
-        for i, text in unknown.items()
+        _unknown(places[i], headers[i].name, columns)
+        for i in others
+        if headers[i].name.casefold() != NOTE.name
     ]
     rows = {number: cells for number, cells in raw.rows.items() if number > header_row}
-    return Table(raw.name, columns, header_row, found, unknown, rows, problems)
+    return Table(raw.name, columns, header_row, found, others, rows, problems)
 
 
-def _match(headers: dict[int, Header], columns: Iterable[Column]) -> tuple[dict[int, Column], set[int]]:
-    """Column of each known header, and headers given twice. Case counts only where two names collide."""
+def _match(headers: dict[int, Header], columns: Iterable[Column]) -> dict[int, Column]:
+    """Column of each known header. Case counts only where two names collide."""
     by_name = {column.name: column for column in columns}
     by_folded = {name.casefold(): column for name, column in by_name.items()}
     matches = {i: by_name[header.name] for i, header in headers.items() if header.name in by_name}
@@ -117,15 +130,28 @@ def _match(headers: dict[int, Header], columns: Iterable[Column]) -> tuple[dict[
         column = by_folded.get(header.name.casefold())
         if column is not None and column.name not in exact:
             matches[i] = column
-    named = [column.name for column in matches.values()]
-    return matches, {i for i, column in matches.items() if named.count(column.name) > 1}
+    return matches
 
 
-def _twice(place: Place) -> Problem:
-    return Problem(place, place.column, "this column is given twice", "keep one of them")
+def _factors(
+    headers: dict[int, Header], matches: dict[int, Column], system: System
+) -> tuple[dict[int, float], dict[int, tuple[str, str]]]:
+    """Factors of the matched headers to N, mm, MPa, 0 for the faulty ones; what is wrong and the cure."""
+    factors: dict[int, float] = {}
+    faults: dict[int, tuple[str, str]] = {}
+    for i, column in matches.items():
+        try:
+            factors[i] = factor(column.quantity, headers[i].unit or column.unit(system))
+        except UnitError as error:
+            faults[i] = error.wrong, error.cure
+    same = Counter((matches[i].name, number) for i, number in factors.items())
+    for i, number in factors.items():
+        if same[matches[i].name, number] > 1:
+            faults[i] = "this column is given twice", "keep one of them"
+    return factors | dict.fromkeys(faults, 0.0), faults
 
 
 def _unknown(place: Place, name: str, columns: Iterable[Column]) -> Problem:
-    meant = closest(name, [column.name for column in columns])
+    meant = closest(name, [column.name for column in (*columns, NOTE)])
     cure = f"did you mean {meant}?" if meant else "nothing to do if it is a note"
     return Problem(place, place.column, "unknown column", cure, warning=True)

@@ -5,10 +5,11 @@ from pathlib import Path
 from typing import Any
 
 from ptbatch.workbook.column import Column, System
-from ptbatch.workbook.columns import MEMBERS
+from ptbatch.workbook.columns import MEMBERS, NOTE
 from ptbatch.workbook.optional import OPTIONAL_SHEETS, SETTINGS
 from ptbatch.workbook.write import Sheet, write_workbook
 
+COLUMNS = (*MEMBERS, NOTE)
 EXPLAINED = ("sheet", "column", "unit", "choices", "default", "meaning")
 
 
@@ -18,8 +19,8 @@ def write_template(path: Path, system: System) -> Path:
 
 
 def _sheets(system: System) -> Iterator[Sheet]:
-    headers = [column.header(system) for column in MEMBERS]
-    yield Sheet("members", headers, [[_example(column, system) for column in MEMBERS]])
+    headers = [column.header(system) for column in COLUMNS]
+    yield Sheet("members", headers, [[_example(column, system) for column in COLUMNS]])
     yield Sheet("columns", EXPLAINED, list(_explanations(system)))
 
 
@@ -28,7 +29,7 @@ def _example(column: Column, system: System) -> Any:
 
 
 def _explanations(system: System) -> Iterator[list[str]]:
-    for sheet, columns in ({"members": MEMBERS} | OPTIONAL_SHEETS | {"settings": SETTINGS}).items():
+    for sheet, columns in ({"members": COLUMNS} | OPTIONAL_SHEETS | {"settings": SETTINGS}).items():
         for column in columns:
             choices = (
                 "list, separated by ;" if column.kind in ("list", "integers") else ", ".join(column.choices)

@@ -12,7 +12,7 @@ from zipfile import ZipFile
 from openpyxl import Workbook, load_workbook
 from openpyxl.cell import WriteOnlyCell
 from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
-from openpyxl.styles import Font
+from openpyxl.styles import Alignment, Font
 from openpyxl.utils import get_column_letter
 
 from ptbatch.errors import WriteError
@@ -20,7 +20,9 @@ from ptbatch.workbook.formats import number_format, width
 
 LONGEST_TEXT = 32_767  # of an Excel cell
 NAMES_TRIED = 99
-_BOLD = Font(bold=True)
+_BOLD = Font(name="Calibri", size=11, bold=True)
+_WRAPPED = Alignment(wrap_text=True, vertical="top")
+_TWO_LINES = 30  # height of a row
 
 
 class Sheet(NamedTuple):
@@ -82,6 +84,7 @@ def _fill(book: Any, sheet: Sheet) -> None:
     page.freeze_panes = "B2"
     for i, header in enumerate(sheet.headers, 1):
         page.column_dimensions[get_column_letter(i)].width = width(header)
+    page.row_dimensions[1].height = _TWO_LINES
     page.append([_header(page, text) for text in sheet.headers])
     formats = [number_format(header) for header in sheet.headers]
     for row in sheet.rows:
@@ -90,7 +93,7 @@ def _fill(book: Any, sheet: Sheet) -> None:
 
 def _header(page: Any, text: str) -> Any:
     cell = _cell(page, text, "General")
-    cell.font = _BOLD
+    cell.font, cell.alignment = _BOLD, _WRAPPED
     return cell
 
 

@@ -112,6 +112,22 @@ def test_column_given_twice(book, beam):
     assert faults(path) == {cell: "this column is given twice; keep one of them" for cell in ("E1", "I1")}
 
 
+def test_column_in_two_units_both_filled(book, beam):
+    path = book(beam | {"b [in]": 12}, {**beam, "member": "B2", "b": None, "b [in]": 12})
+    assert faults(path) == {"C2": "b is given in I2 as well; leave all but one blank"}
+    assert [row.member is not None for row in read_inputs(path).rows] == [False, True]
+
+
+def test_column_in_two_units_neither_filled(book, beam):
+    path = book(beam | {"b": None, "b [in]": None})
+    assert faults(path) == {"C2": "missing; give b: overall width"}
+
+
+def test_fault_stands_where_the_value_does(book, beam):
+    path = book(beam | {"b": None, "b [in]": -12})
+    assert faults(path) == {"I2": "must be above zero; give overall width"}
+
+
 def test_duplicate_names(book, beam):
     path = book(beam, beam | {"member": "B2"}, beam | {"member": " B1 "})
     assert faults(path) == {

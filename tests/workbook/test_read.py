@@ -109,12 +109,34 @@ def test_numbers_typed_as_text(book, beam):
 
 
 def test_unknown_columns_are_warned_about_and_kept(book, beam):
-    inputs = read_inputs(book(beam | {"note": "from the drawing", "Apps [mm2]": 3}))
+    inputs = read_inputs(book(beam | {"mark": "W7", "Apps [mm2]": 3}))
     assert inputs.rows[0].member is not None
     assert inputs.rows[0].message == ""
-    assert inputs.extra_headers == ["note", "Apps [mm2]"]
+    assert inputs.extra_headers == ["mark", "Apps [mm2]"]
     assert [problem.cure for problem in inputs.problems] == [
         "nothing to do if it is a note",
         "did you mean Aps?",
     ]
     assert all(problem.warning for problem in inputs.problems)
+
+
+def test_notes_are_kept_without_a_warning(book, beam):
+    loads = [{"member": "B1", "case": "live", "type": "point", "x": 6000, "value": 10, "note": "crane"}]
+    inputs = read_inputs(book(beam | {"live": "loads", "Note": "=from the drawing"}, loads=loads))
+    assert inputs.all_problems() == []
+    assert inputs.extra_headers == ["Note"]
+
+
+def test_a_column_in_two_units(book, beam):
+    del beam["span"]
+    rows = beam | {"span [m]": 12}, beam | {"member": "B2", "span [ft]": 40}
+    inputs = read_inputs(book(*rows))
+    assert inputs.all_problems() == []
+    assert [row.member.span for row in inputs.rows] == [(12000.0,), (40 * 304.8,)]
+
+
+def test_loads_in_two_units(book, beam):
+    point = {"member": "B1", "case": "live", "type": "point", "x": 6000, "value [kip]": 10}
+    line = {"member": "B1", "case": "live", "type": "uniform", "value [kN/m]": 3}
+    member = only_row(book(beam | {"live": "loads"}, loads=[point, line])).member
+    assert [load.value for load in member.loads] == [pytest.approx(44482.216), 3.0]

@@ -51,7 +51,7 @@ def test_look(tmp_path):
     assert page.freeze_panes == "B2"
     assert page["A1"].font.bold
     assert page["B2"].number_format == "0.0"
-    assert page.column_dimensions["A"].width == 16
+    assert page.column_dimensions["A"].width == 26
 
 
 # --- the file ---
