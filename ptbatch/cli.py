@@ -118,7 +118,7 @@ def _progress() -> "Progress | None":
         return None
     from ptbatch.core.cache import is_warm
 
-    click.echo("analysing" if is_warm() else "compiling (first run only, a minute or two)", err=True, nl=False)
+    click.echo("analysing" if is_warm() else "compiling (first run only)", err=True, nl=False)
 
     def show(done: int, total: int, member: str) -> None:
         click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)

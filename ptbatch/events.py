@@ -1,6 +1,6 @@
 """Cracking, yield, peak and failure, found on the recorded curve."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,11 +43,18 @@ def find_events(service: Service) -> tuple[tuple[Event, ...], str]:
             events.append(Event(name, step, *_at(step, curve), float(x)))
     failures = [event for event in events if event.name in (CRUSHING, TENDON_RUPTURE, BAR_RUPTURE)]
     first = min(failures, key=lambda event: event.step, default=None)
-    upto = len(curve.load) if first is None else int(np.ceil(first.step)) + 1
-    peak = int(np.argmax(curve.load[:upto]))
-    moment = np.nan if first is None else first.place
-    events.append(Event("peak", float(peak), float(curve.load[peak]), float(curve.deflection[peak]), moment))
+    events.append(_peak(curve, first))
     return tuple(sorted(events, key=lambda event: event.step)), "" if first is None else first.name
+
+
+def _peak(curve: Curve, failure: Event | None) -> Event:
+    """The largest load up to the first failure, which may itself fall between two rows."""
+    rows = len(curve.load) if failure is None else int(np.floor(failure.step)) + 1
+    peak = int(np.argmax(curve.load[:rows]))
+    if failure is not None and failure.load > curve.load[peak]:
+        return replace(failure, name="peak")
+    place = np.nan if failure is None else failure.place
+    return Event("peak", float(peak), float(curve.load[peak]), float(curve.deflection[peak]), place)
 
 
 def _at(step: float, curve: Curve) -> tuple[float, float]:

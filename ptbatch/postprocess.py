@@ -40,7 +40,7 @@ def finished(run: "Run", complete: bool) -> Response:
             )
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
-    common["tendon"][PEAK] = _tendon_state(run, int(rows[int(peak.step)]))
+    common["tendon"][PEAK] = _tendon_state(run, int(rows[round(peak.step)]))
     note = "" if complete else f"the curve ends at {curve.deflection[-1]:.4g} mm, where no further equilibrium was found"
     return Response(
         **common,

@@ -1,5 +1,6 @@
 """The four stages. Each says what moves, what is held and what is recorded; one's end state is the next one's start, exactly."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +17,9 @@ Array = NDArray[np.float64]
 JACKING, SETTING, ANCHORING, SUSTAINED, LIVE = range(5)
 NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
 LEFT, RIGHT = 0, 1
+OVERSHOOT = 1.005  # of a limit strain: how near a step must land on it
 SMALLEST = 1e-4  # of a stage: below this a step is given up
+EASY = 10  # iterations of a step after which the next one may be much longer
 SHORT = 0.98  # of the expected movement of a second jack: where its force is looked at for the first time
 
 
@@ -83,7 +86,7 @@ def ramp(rig: Rig, stage: int, loads: tuple[Array, Array], values: tuple[Array, 
         if status == CONVERGED:
             accept(rig.handle, stage, 0.0, iterations, residual)
             done = share
-            step *= 2.0 if iterations <= 10 else 1.0
+            step *= 2.0 if iterations <= EASY else 1.0
         else:
             step = 0.25 * (share - done)
             if step < SMALLEST or rig.full:
@@ -160,7 +163,7 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
 
     False where no equilibrium was found beyond the last recorded step. Steps land on the first limit strain of a material.
     """
-    model, state, _, work, *_ = rig.case
+    state, work = rig.case.state, rig.case.work
     factor, step = 0.0, control.first
     used = max(utilisation(rig.handle, state.u))
     failed = used >= 1.0
@@ -168,24 +171,68 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
         left = control.limit - control.sense * (state.u[control.dof] - control.start)
         if left <= 1e-9 * control.limit:
             return True
-        step = min(step, left)
-        target = state.u[control.dof] + control.sense * step
-        status, reached, iterations, residual = find_equilibrium(
-            rig.handle, fixed, pattern, control.dof, target, factor, bonded
-        )
-        if status != CONVERGED:
-            step *= 0.25
-            if step < 1e-3 * control.first:
-                return False
-            continue
-        demand = utilisation(rig.handle, work.trial)
-        if not failed and max(demand) > 1.005 and step > 1e-3 * control.first:
-            step *= min(max((1.001 - used) / (max(demand) - used), 0.1), 0.95)
-            continue
-        accept(rig.handle, LIVE, reached, iterations, residual)
-        factor, used = reached, max(demand)
+
+        def reach(step: float) -> Trial:
+            return reach_deflection(rig, fixed, pattern, control, min(step, left), factor, bonded)  # noqa: B023
+
+        trial = approach(reach, step, control)
+        if trial is None:
+            return False
+        if not failed and trial.demand > OVERSHOOT:
+            trial = land(reach, trial, used)
+        accept(rig.handle, LIVE, trial.factor, trial.iterations, trial.residual)
+        factor, used = trial.factor, trial.demand
         failed = failed or used >= 1.0
-        if demand[2] >= 1.0:
+        if trial.tendon_broke:
             return True
-        step = min(control.largest, step * (1.5 if iterations <= 8 else 0.7 if iterations > 16 else 1.0))
+        step = min(control.largest, trial.step * (1.5 if trial.iterations <= EASY else 1.1))
     return False
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A step that was tried: whether it found equilibrium, at which load factor, and the largest limit strain's utilisation there."""
+
+    step: float
+    converged: bool
+    factor: float
+    iterations: int
+    residual: float
+    demand: float
+    tendon_broke: bool
+
+
+def reach_deflection(
+    rig: Rig, fixed: Array, pattern: Array, control: Control, step: float, factor: float, bonded: bool
+) -> Trial:
+    """Try a further `step` of deflection from the committed state."""
+    target = rig.case.state.u[control.dof] + control.sense * step
+    status, reached, iterations, residual = find_equilibrium(
+        rig.handle, fixed, pattern, control.dof, target, factor, bonded
+    )
+    demand = utilisation(rig.handle, rig.case.work.trial)
+    return Trial(step, status == CONVERGED, reached, iterations, residual, max(demand), demand[2] >= 1.0)
+
+
+def approach(reach: Callable[[float], Trial], step: float, control: Control) -> Trial | None:
+    """The first step that finds equilibrium: ever shorter ones, then, as a crack that opens at once passes its snap-back, longer ones."""
+    shorter = [step * 0.25**i for i in range(5)]
+    longer = [control.largest * share for share in (0.5, 1.0, 2.0)]
+    for size in [*shorter, *(size for size in longer if size > step)]:
+        trial = reach(size)
+        if trial.converged:
+            return trial
+    return None
+
+
+def land(reach: Callable[[float], Trial], over: Trial, used: float) -> Trial:
+    """A shorter step that ends on the limit strain that `over` passed; `over` itself where the response jumps across it."""
+    last = over
+    for _ in range(4):
+        trial = reach(last.step * min(max((1.001 - used) / (last.demand - used), 0.1), 0.95))
+        if not trial.converged or trial.demand < 1.0:
+            break
+        last = trial
+        if last.demand <= OVERSHOOT:
+            return last
+    return reach(last.step)

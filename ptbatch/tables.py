@@ -47,12 +47,12 @@ def _capacity(response: Response) -> Row:
         row |= dict.fromkeys(names, _not_reached(response))
         row |= dict.fromkeys(("tendon_stress_peak_mean [MPa]", "tendon_stress_peak_max [MPa]"), _not_reached(response))
         return row | {"failure": _not_reached(response)}
-    factor = float(curve.factor[int(peak.step)])
+    factor = float(curve.factor[round(peak.step)])
     return row | {
         "load_peak [kN]": peak.load / 1e3,
         "load_factor_peak": factor if response.has_service_value else "no service live load given",
         "deflection_peak [mm]": peak.deflection,
-        "moment_peak [kN m]": float(curve.moment_max[int(peak.step)]) / 1e6,
+        "moment_peak [kN m]": float(curve.moment_max[round(peak.step)]) / 1e6,
         "tendon_stress_peak_mean [MPa]": at_peak.mean,
         "tendon_stress_peak_max [MPa]": at_peak.most,
         "failure": response.failure,

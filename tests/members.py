@@ -31,7 +31,8 @@ def specimen(h: float, wedge_set: float) -> dict:
     """Burns et al.'s specimens as reconstructed: h in inches, wedge_set in mm."""
     depths = (h / 2, h - 3.25, 3.25, h - 3.25, h / 2)
     return dict(
-        member=f"specimen {h} in", span=(300 * INCH, 300 * INCH), support_left="roller", support_right="roller",
+        member=f"specimen {h} in", span=(300 * INCH, 300 * INCH),
+        support_left="roller", support_right="roller",
         b=12 * INCH, h=h * INCH, fc=30, Aps=3 * 0.153 * INCH**2, Ep=29000 * KSI,
         dp=tuple(INCH * depth for depth in depths), inflection=0.15, fpj=202 * KSI, set=wedge_set,
         mu=0.07, K=0.001 / FOOT,
@@ -83,3 +84,10 @@ def closed_form(run: Run, reversal: str = "friction"):
     """Analytic losses of the same member."""
     m = run.setup.member
     return analytic_losses(run.setup.profile, m.fpj, m.mu, m.K, m.Ep, m.set, m.jack, reversal)
+
+
+# A little of everything: bars, friction, wobble, a bent tendon; small, for tests of elements and their assembly
+SMALL = dict(
+    member="small", span=6000, b=300, h=500, fc=35, Aps=400, dp=(250, 400, 250), fpj=1200, set=2, mu=0.15, K=1e-6,
+    As=(300, 200), ds=(450, 420), As_top=150, ds_top=50, elements=6, layers=12,
+)  # fmt: skip

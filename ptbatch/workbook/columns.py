@@ -168,7 +168,7 @@ MEMBERS = (
         quantity="friction per length",
         limit="not negative",
         default=Derived(
-            "0.0033, or mu k_ec2", ("mu", "k_ec2"), lambda mu, k: 3.3e-6 if k is None else mu * k
+            "0.0033 1/m, or mu k_ec2", ("mu", "k_ec2"), lambda mu, k: 3.3e-6 if k is None else mu * k
         ),
     ),
     Column(

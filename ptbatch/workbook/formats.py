@@ -7,7 +7,8 @@ _BY_NAME = {"x": "0", "load_factor": "0.000", "load_factor_peak": "0.000", "resi
 _WIDTHS = {
     **{"member": 26, "status": 14, "message": 70, "failure": 20, "event": 20, "stage": 10},
     **{"span": 18, "dp": 28, "note": 60},
-    **{"what is wrong": 60, "how to put it right": 60, "value": 30, "name": 24, "meaning": 90, "default": 34},
+    **{"what is wrong": 60, "how to put it right": 60, "value": 30, "name": 24, "meaning": 90, "default": 36},
+    **{"column": 20, "choices": 46},
 }
 
 

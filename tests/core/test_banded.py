@@ -36,7 +36,9 @@ def solve(dense, half, *sides):
 
 
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize(("n", "half"), [(1, 1), (2, 1), (9, 1), (12, 3), (40, 4), (107, 9), (107, 14), (10, 12)])
+@pytest.mark.parametrize(
+    ("n", "half"), [(1, 1), (2, 1), (9, 1), (12, 3), (40, 4), (107, 9), (107, 14), (10, 12)]
+)
 def test_against_a_dense_solver(n, half, seed):
     dense = random_band(n, half, seed)
     sides = np.random.default_rng(seed + 100).standard_normal((2, n))

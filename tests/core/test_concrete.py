@@ -1,36 +1,10 @@
-"""Concrete laws at marked points, their tangent, continuity and reversal."""
+"""Concrete laws on first loading: marked points, tangent, continuity."""
 
 import numpy as np
 import pytest
 
-from ptbatch.core.concrete import commit_concrete, concrete_stress
-from ptbatch.member import Member
-from ptbatch.model.materials import concrete
+from tests.core.fibres import EC, EPS_CR, FT, LAWS, TENSIONS, law, stress
 from tests.core.numerics import central_slope, complex_slope
-
-LAWS = ("hognestad", "parabola-rectangle", "popovics", "elastic")
-TENSIONS = ("none", "softening", "stiffening")
-EC, FT = 30000.0, 3.0
-EPS_CR = FT / EC
-
-
-def law(concrete_law="hognestad", tension_law="stiffening", fc=40.0, **more):
-    values = dict(member="C", span=8000, b=300, h=600, Aps=100, dp=(300, 500, 300), fpj=1000)
-    laws = dict(fc=fc, Ec=EC, ft=FT, concrete_law=concrete_law, tension_law=tension_law)
-    return concrete(Member(**values | laws | more))
-
-
-def stress(eps, c, past=None):
-    return concrete_stress(eps, np.zeros(4) if past is None else past, c)
-
-
-def history(c, *strains):
-    """History of a fibre that has been to these strains."""
-    past = np.zeros(4)
-    for eps in strains:
-        commit_concrete(eps, past, c)
-    return past
-
 
 any_law = pytest.mark.parametrize("concrete_law", LAWS)
 any_tension = pytest.mark.parametrize("tension_law", TENSIONS)
@@ -47,7 +21,12 @@ any_tension = pytest.mark.parametrize("tension_law", TENSIONS)
         ("parabola-rectangle", 40.0, 0.001, 30.0),
         ("parabola-rectangle", 40.0, 0.002, 40.0),
         ("parabola-rectangle", 40.0, 0.0035, 40.0),
-        ("parabola-rectangle", 90.0, 0.0013, 90 * (1 - 0.5**1.4)),  # EN 1992-1-1 table 3.1: eps_c2 0.26 %, n 1.4
+        (
+            "parabola-rectangle",
+            90.0,
+            0.0013,
+            90 * (1 - 0.5**1.4),
+        ),  # EN 1992-1-1 table 3.1: eps_c2 0.26 %, n 1.4
         ("elastic", 40.0, 0.002, 0.002 * EC),
     ],
 )
@@ -65,7 +44,7 @@ def test_popovics_peaks_at_fc_with_a_level_tangent():
 
 
 @pytest.mark.parametrize("concrete_law", ["hognestad", "popovics", "elastic"])
-def test_laws_start_with_Ec(concrete_law):  # noqa: N802
+def test_laws_start_with_their_modulus(concrete_law):
     c = law(concrete_law)  # closed form; 1e-6 off the origin the tangent has dropped by 2e-6 / eps_c at most
     assert complex_slope(lambda e: stress(e, c), -1e-6) == pytest.approx(EC, rel=1e-3)
 
@@ -78,7 +57,11 @@ def test_laws_start_with_Ec(concrete_law):  # noqa: N802
         ("softening", 5.5, 0.5),  # half way to 10 eps_cr
         ("softening", 10.0, 0.0),
         ("stiffening", 1.0, 1.0),
-        ("stiffening", 1.25, 0.77),  # on the line from 0.8 at cracking to 0.45 at 4 eps_cr: 0.7708, written 0.77
+        (
+            "stiffening",
+            1.25,
+            0.77,
+        ),  # on the line from 0.8 at cracking to 0.45 at 4 eps_cr: 0.7708, written 0.77
         ("stiffening", 4.0, 0.45),  # Nayal and Rasheed
         ("stiffening", 10.0, 0.0),
         ("stiffening", 20.0, 0.0),
@@ -93,7 +76,17 @@ def test_tension_at_marked_points(tension_law, multiple, share):
 @any_tension
 def test_tangent_is_the_derivative(concrete_law, tension_law):
     c = law(concrete_law, tension_law)
-    for eps in (-0.0041, -0.0029, -0.0011, -3e-4, 0.3 * EPS_CR, 1.1 * EPS_CR, 2 * EPS_CR, 7 * EPS_CR, 30 * EPS_CR):
+    for eps in (
+        -0.0041,
+        -0.0029,
+        -0.0011,
+        -3e-4,
+        0.3 * EPS_CR,
+        1.1 * EPS_CR,
+        2 * EPS_CR,
+        7 * EPS_CR,
+        30 * EPS_CR,
+    ):
         slope = complex_slope(lambda e: stress(e, c), eps)
         # the difference of stresses around 40 MPa over 2e-9 keeps 1e-14 * 40 / 2e-9 = 2e-4 MPa
         assert slope == pytest.approx(central_slope(lambda e: stress(e, c), eps, 1e-9), rel=1e-5, abs=0.01)
@@ -107,39 +100,3 @@ def test_stress_is_a_continuous_function_of_strain(concrete_law, tension_law):
     step = eps[1] - eps[0]
     steepest = max(EC, c.exponent * c.fc / c.eps_c)  # of any branch here
     assert np.abs(np.diff([stress(e, c) for e in eps])).max() <= 1.001 * steepest * step
-
-
-@pytest.mark.parametrize("tension_law", ["softening", "stiffening"])
-def test_an_opened_crack_never_carries_ft_again(tension_law):
-    c = law(tension_law=tension_law)
-    past = history(c, 3 * EPS_CR)
-    worst = stress(3 * EPS_CR, c)
-    back = [stress(e, c, past) for e in np.linspace(0.0, 3 * EPS_CR, 50)]
-    assert back[0] == 0.0 and max(back) == pytest.approx(worst, rel=1e-12)
-    assert stress(1.5 * EPS_CR, c, past) == pytest.approx(0.5 * worst, rel=1e-12)  # closed form: the secant
-    assert stress(5 * EPS_CR, c, past) == stress(5 * EPS_CR, c)  # beyond the worst: first loading
-    assert stress(EPS_CR, c, history(c, 20 * EPS_CR)) == 0.0  # open for good
-
-
-@pytest.mark.parametrize("concrete_law", ["hognestad", "parabola-rectangle", "popovics"])
-def test_crushed_concrete_regains_no_strength(concrete_law):
-    c = law(concrete_law)
-    past = history(c, -0.0030)
-    back = np.array([stress(-e, c, past) for e in np.linspace(0.0, 0.0030, 50)])
-    assert back[0] == 0.0 and back.min() == pytest.approx(stress(-0.0030, c), rel=1e-12)
-    assert stress(-0.0015, c, past) == pytest.approx(0.5 * stress(-0.0030, c), rel=1e-12)  # closed form
-
-
-def test_the_worst_strain_is_not_forgotten_and_the_two_sides_do_not_know_each_other():
-    c = law()
-    past = history(c, 3 * EPS_CR, -0.0030, EPS_CR, -0.0010)
-    np.testing.assert_allclose(past[[0, 2]], [3 * EPS_CR, 0.0030], rtol=1e-14)
-    assert stress(-0.0030, c, history(c, 3 * EPS_CR)) == stress(-0.0030, c)
-    assert stress(EPS_CR, c, history(c, -0.0030)) == stress(EPS_CR, c)
-
-
-def test_elastic_law_is_straight_on_reversal():
-    c = law("elastic")
-    past = history(c, -0.002, 0.002)
-    for eps in (-0.001, 0.0005, 0.001):
-        assert stress(eps, c, past) == pytest.approx(EC * eps, rel=1e-12)  # closed form

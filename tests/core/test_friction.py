@@ -19,7 +19,7 @@ def slide(slip, rub=0.0, N=1000.0, T=0.0, rough=0.0, bonded=False):
 
 
 def node(theta, slip, mu=MU, corrected=True, lean=0.0, duct="polygon"):
-    """A slave 2 mm off its segment whose chords turn down by theta about a direction that leans: (left and right unit chord, force)."""
+    """(left and right unit chord, force) of a slave 2 mm off its segment; the chords turn down by theta."""
     c = Contact(STIFF, STIFF, 1e6, mu, 0.0, True, corrected)
     left, right = lean + 0.5 * theta, lean - 0.5 * theta
     chords = np.array([[np.cos(left), np.sin(left)], [np.cos(right), np.sin(right)]])

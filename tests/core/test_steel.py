@@ -37,7 +37,7 @@ def test_continuity():
     assert jump <= 1.001 * ES * (eps[1] - eps[0])
 
 
-def test_unloading_runs_at_Es_and_yields_after_2_fy():  # noqa: N802
+def test_unloading_runs_at_the_modulus_and_yields_after_twice_fy():
     eps_p = commit_steel(0.01, 0.0, FY, STEEL)
     top = stress(0.01)
     assert stress(0.01, eps_p) == pytest.approx(top, rel=1e-12)

@@ -22,7 +22,7 @@ def steel(tendon_law="ramberg-osgood", **more):
     [(1860, 1674, 195000), (1860, 1581, 195000), (1790, 1465, 205000)],
     ids=["low relaxation", "stress-relieved", "wire"],
 )
-def test_ramberg_osgood_passes_the_points_of_the_standard(fpu, fpy, Ep):  # noqa: N803
+def test_ramberg_osgood_passes_the_points_of_the_standard(fpu, fpy, Ep):
     s = steel(fpu=fpu, fpy=fpy, Ep=Ep)
     assert envelope(0.01, s) == pytest.approx(fpy, rel=1e-9)  # published: ASTM A416, 1 % strain
     assert envelope(0.035, s) == pytest.approx(fpu, rel=1e-3)  # closed form up to (knee / Ep epu)^R / R
@@ -57,7 +57,7 @@ def test_continuity(tendon_law):
 
 
 @any_law
-def test_unloads_and_reloads_at_Ep(tendon_law):  # noqa: N802
+def test_unloads_and_reloads_at_the_modulus(tendon_law):
     s = steel(tendon_law)
     top = envelope(0.02, s)
     assert tendon_stress(0.017, 0.02, s) == pytest.approx(top - 0.003 * s.Ep, rel=1e-12)  # closed form

@@ -1,0 +1,30 @@
+"""One concrete fibre: its law, its stress, its history."""
+
+import numpy as np
+
+from ptbatch.core.concrete import commit_concrete, concrete_stress
+from ptbatch.member import Member
+from ptbatch.model.materials import concrete
+
+LAWS = ("hognestad", "parabola-rectangle", "popovics", "elastic")
+TENSIONS = ("none", "softening", "stiffening")
+EC, FT = 30000.0, 3.0
+EPS_CR = FT / EC
+
+
+def law(concrete_law="hognestad", tension_law="stiffening", fc=40.0, **more):
+    values = dict(member="C", span=8000, b=300, h=600, Aps=100, dp=(300, 500, 300), fpj=1000)
+    laws = dict(fc=fc, Ec=EC, ft=FT, concrete_law=concrete_law, tension_law=tension_law)
+    return concrete(Member(**values | laws | more))
+
+
+def stress(eps, c, past=None):
+    return concrete_stress(eps, np.zeros(5) if past is None else past, c)
+
+
+def history(c, *strains):
+    """History of a fibre that has been to these strains."""
+    past = np.zeros(5)
+    for eps in strains:
+        commit_concrete(eps, past, c)
+    return past
