@@ -35,17 +35,18 @@ class Run:
 def analyse(member: Member, *, smooth: bool = True, corrected: bool = True, refine: int = 1) -> Response:
     """Analyse a member through all four stages.
 
-    smooth: the duct is the profile itself rather than the polygon between beam nodes. corrected: the contact force follows the bisector of the
-    tendon. refine: divide the steps of the live load by this. A member that does not converge raises nothing: see Response.status.
+    smooth: the duct is the profile itself rather than the polygon between beam nodes. corrected: the contact
+    force follows the bisector of the tendon. refine: divide the steps of the live load by this. A member that
+    does not converge raises nothing: see Response.status.
     """
     setup = set_up(member, smooth)
-    run = prepare(setup, member.fpj or first_guess(setup), corrected)
+    run = prepare(setup, jacking_stress(setup), corrected)
     try:
         stress(run)
-        if member.fpj is None:
-            run = stress_to_mean(run, corrected)
+        if member.fpe is not None:
+            run = stress_to_mean(run, member.fpe, corrected)
         complete = serve(run, refine)
-    except stages.NoEquilibrium as none:
+    except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none))
     return finished(run, complete)
 
@@ -64,7 +65,9 @@ def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
         ends,
         new_work(n, half_bandwidth(setup, start)),
         new_history(ROWS, n),
-        Tolerance(1e-8, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), *ITERATIONS),
+        Tolerance(
+            1e-8, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), *ITERATIONS
+        ),
     )
     return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)
 
@@ -77,15 +80,18 @@ def stress(run: Run) -> None:
     stages.anchor(run.rig, weight)
 
 
-def first_guess(setup: Setup) -> float:
-    """The jacking stress that would leave the mean stress `fpe` on a rigid member."""
+def jacking_stress(setup: Setup) -> float:
+    """The jacking stress: as given, or what would leave the mean stress `fpe` on a rigid member."""
     member = setup.member
+    if member.fpe is None:
+        assert member.fpj is not None  # a Member has exactly one of the two
+        return member.fpj
     return fpj_for_mean(setup.profile, member.fpe, member.mu, member.K, member.Ep, member.set, member.jack)
 
 
-def stress_to_mean(run: Run, corrected: bool) -> Run:
-    """Repeat stages 1 to 3 with the jacking stress moved (secant) until the mean stress after anchoring is `fpe`."""
-    wanted = run.setup.member.fpe
+def stress_to_mean(run: Run, wanted: float, corrected: bool) -> Run:
+    """Repeat stages 1 to 3 with the jacking stress moved (secant) until the mean stress after anchoring is
+    as `wanted`."""
     before = 0.0, 0.0  # no jacking stress, no mean stress
     for _ in range(8):
         mean = mean_stress(run)

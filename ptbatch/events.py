@@ -20,18 +20,22 @@ REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5
 
 @dataclass(frozen=True)
 class Service:
-    """The service stage as recorded: u (steps, ndof), T (steps, tendon elements) and the curve, row 0 the anchored state."""
+    """The service stage as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain
+    (steps,) and the curve, row 0 the anchored state.
+    """
 
     model: Model
     u: Array
     T: Array
+    strain: Array
     curve: Curve
 
 
 def find_events(service: Service) -> tuple[tuple[Event, ...], str]:
     """All events in their order, and the name of the first failure ('' where no material reached its limit).
 
-    The peak is the largest load up to the first failure: a law that holds its last stress beyond the crushing strain lends no capacity.
+    The peak is the largest load up to the first failure: a law that holds its last stress beyond the crushing
+    strain lends no capacity.
     """
     curve = service.curve
     measures = _measures(service)
@@ -89,8 +93,7 @@ def _measures(service: Service) -> dict[str, tuple[Array, Array]]:
     tendon_yield = stress.max(axis=1) / strand.fpy, np.zeros(len(stress))
     if strand.law != ELASTIC_TENDON:
         measures["yield"] = tendon_yield
-        strain = _tendon_strain(service)
-        measures[TENDON_RUPTURE] = strain.max(axis=1) / strand.epu, np.zeros(len(stress))
+        measures[TENDON_RUPTURE] = service.strain / strand.epu, np.zeros(len(stress))
     if model.bar_y.size:
         bars = np.abs(eps0[..., None] - model.bar_y * kappa[..., None]) * (model.bar_area[:, None, :] > 0.0)
         bar_yield, at = _largest((bars * steel.Es / model.bar_fy).max(axis=-1), place)
@@ -101,19 +104,9 @@ def _measures(service: Service) -> dict[str, tuple[Array, Array]]:
     return measures
 
 
-def _tendon_strain(service: Service) -> Array:
-    """Strain of the tendon elements for first loading, from the stress by inverting nothing: the chord lengths are not recorded,
-    so the largest strain follows from the envelope."""
-    from ptbatch.core.tendon import envelope
-
-    strand = service.model.strand
-    eps = np.linspace(0.0, 1.1 * strand.epu, 2201)
-    stress = np.array([envelope.py_func(e, strand) for e in eps])
-    return np.interp(service.T / strand.Aps, stress, eps)
-
-
 def sections(x: Array, u: Array) -> tuple[Array, Array, Array]:
-    """(eps0, kappa) of the Gauss sections (rows, n, 2) for displacements u (rows, ndof), and their places (n, 2)."""
+    """(eps0, kappa) of the Gauss sections (rows, n, 2) for displacements u (rows, ndof), and their places (n,
+    2)."""
     length = np.diff(x)
     d = [np.diff(node_values(u, len(x), i), axis=-1) for i in range(2)]
     theta = node_values(u, len(x), 2)

@@ -20,42 +20,42 @@ STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCH
 
 
 def stopped(run: "Run", stage: int, message: str) -> Response:
-    """Response of a member that found no equilibrium in a stage before the live load: the stages before it, and no capacity."""
+    """Response of a member that found no equilibrium in a stage before the live load: the stages before it,
+    and no capacity."""
     return Response(**_common(run, stage), status="not converged", message=message)
 
 
 def finished(run: "Run", complete: bool) -> Response:
     """Response of a member that was loaded; `complete` where the loading ended by itself."""
     common = _common(run, stages.LIVE)
-    rows = _service_rows(run)
+    rows, history = _service_rows(run), run.rig.case.history
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
-    service = Service(run.rig.case.model, run.rig.case.history.u[rows], run.rig.case.history.T[rows], curve)
+    service = Service(run.rig.case.model, history.u[rows], history.T[rows], history.strain[rows], curve)
     events, failure = find_events(service)
     if not complete and not failure:
         last = curve.load[-1]
         if last > 0.98 * curve.load.max():
-            where = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
-            return Response(
-                **common, curve=curve, status="not converged", message=f"live load: no equilibrium found beyond {where}"
-            )
+            end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
+            message = f"live load: no equilibrium found beyond {end}"
+            return Response(**common, curve=curve, status="not converged", message=message)
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
     common["tendon"][PEAK] = _tendon_state(run, int(rows[round(peak.step)]))
-    note = "" if complete else f"the curve ends at {curve.deflection[-1]:.4g} mm, where no further equilibrium was found"
+    note = f"the curve ends at {curve.deflection[-1]:.4g} mm: no further equilibrium was found"
     return Response(
         **common,
         curve=curve,
         events=events,
         failure=failure or "deflection limit",
         status="ok",
-        message=note,
+        message="" if complete else note,
     )
 
 
 def _common(run: "Run", before: int) -> dict[str, Any]:
     """What a run has that completed the stages before the given one."""
     history, setup = run.rig.case.history, run.setup
-    used = slice(0, int(history.count[0]))
+    used = slice(0, int(history.rows[0]))
     last = {name: _last_row(run, stage) if stage < before else None for name, stage in STAGE_ROWS.items()}
     common: dict[str, Any] = {
         "member": setup.member,
@@ -79,12 +79,12 @@ def _common(run: "Run", before: int) -> dict[str, Any]:
 
 def _last_row(run: "Run", stage: int) -> int:
     history = run.rig.case.history
-    return int(np.flatnonzero(history.stage[: history.count[0]] == stage)[-1])
+    return int(np.flatnonzero(history.stage[: history.rows[0]] == stage)[-1])
 
 
 def _service_rows(run: "Run") -> NDArray[np.int64]:
     """Rows from the anchored state on."""
-    return np.arange(_last_row(run, stages.ANCHORING), int(run.rig.case.history.count[0]))
+    return np.arange(_last_row(run, stages.ANCHORING), int(run.rig.case.history.rows[0]))
 
 
 def _tendon_state(run: "Run", row: int) -> TendonState:
@@ -104,7 +104,8 @@ def _tendon_state(run: "Run", row: int) -> TendonState:
 
 
 def _elongation(run: "Run", row: int) -> float:
-    """What is measured at the live jacks: the way of the tendon's ends, and the stretch of the strand that has come out on it."""
+    """What is measured at the live jacks: the way of the tendon's ends, and the stretch of the strand that
+    has come out on it."""
     history, setup = run.rig.case.history, run.setup
     out = history.u[row][[0, -2]] - run.start.gap
     strain = history.T[row][[0, -1]] / (setup.member.Aps * setup.member.Ep)
@@ -112,8 +113,9 @@ def _elongation(run: "Run", row: int) -> float:
 
 
 def _set_length(run: "Run", jacked: int, after: int) -> float:
-    """Length that the set moved, from the (left) live end: the tributary lengths of the nodes whose friction turned round, and of
-    the last one the part that did."""
+    """Length that the set moved, from the (left) live end: the tributary lengths of the nodes whose friction
+    turned round, and of the last one the part that did.
+    """
     line, history = run.setup.duct, run.rig.case.history
 
     def steps(row: int) -> Array:
@@ -132,7 +134,9 @@ def _set_length(run: "Run", jacked: int, after: int) -> float:
         turned = np.ones_like(before)
     else:
         turned = np.clip(0.5 * (1.0 - now / np.where(np.abs(before) > 1e-12, before, np.inf)), 0.0, 1.0)
-    if all(run.setup.live):  # friction turns round beyond the point that does not move as well, for the other end's set
+    if all(
+        run.setup.live
+    ):  # beyond the point that does not move friction turns round for the other end's set
         turned[np.maximum.accumulate(inward <= 0.0)] = 0.0
     whole = int(np.argmax(turned < 0.99)) if (turned < 0.99).any() else len(turned)
     return float((turned * tributary)[: whole + 1].sum())

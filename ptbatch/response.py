@@ -15,8 +15,10 @@ JACKED, SET, ANCHORED, PEAK = "jacked", "set", "anchored", "peak"
 
 @dataclass(frozen=True)
 class TendonState:
-    """The tendon at one stage. x, stress and slip (elements,) at the middle of each tendon element, slip positive to the right since the
-    tendon was slack; anchor_stress and end_slip (2,) at the left and right anchor; length (elements,) for means over the tendon."""
+    """The tendon at one stage. x, stress and slip (elements,) at the middle of each tendon element, slip
+    positive to the right since the tendon was slack; anchor_stress and end_slip (2,) at the left and right
+    anchor; length (elements,) for means over the tendon.
+    """
 
     x: Array
     stress: Array
@@ -43,7 +45,8 @@ class TendonState:
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happened under live load; step is a row of the curve, with a fraction where it fell between two."""
+    """Something that happened under live load; step is a row of the curve, with a fraction where it fell
+    between two."""
 
     name: str
     step: float
@@ -56,7 +59,8 @@ class Event:
 class Curve:
     """Service stage, one row a recorded step from the anchored state on (steps,).
 
-    load in N is the total live load on the member, deflection in mm at the control point in the sense of the live load, from the anchored state.
+    load in N is the total live load on the member, deflection in mm at the control point in the sense of the
+    live load, from the anchored state.
     """
 
     factor: Array
@@ -70,9 +74,11 @@ class Curve:
 
 @dataclass(frozen=True)
 class Response:
-    """Result of one member. Stages that were not reached are missing from `tendon`; `curve` is None before the service stage.
+    """Result of one member. Stages that were not reached are missing from `tendon`; `curve` is None before
+    the service stage.
 
-    status: ok, warning or not converged. elongation_before and elongation_after in mm, summed over live ends; camber in mm, up positive.
+    status: ok, warning or not converged. elongation_before and elongation_after in mm, summed over live ends;
+    camber in mm, up positive.
     """
 
     member: Member

@@ -1,4 +1,5 @@
-"""The four stages. Each says what moves, what is held and what is recorded; one's end state is the next one's start, exactly."""
+"""The four stages. Each says what moves, what is held and what is recorded; one's end state is the next one's
+start, exactly."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ from ptbatch.core.newton import CONVERGED
 from ptbatch.core.step import Case, accept, find_equilibrium, open_case
 
 Array = NDArray[np.float64]
+Pair = tuple[Array, Array]  # what something is moved from and to
 
 JACKING, SETTING, ANCHORING, SUSTAINED, LIVE = range(5)
 NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
@@ -23,7 +25,7 @@ EASY = 10  # iterations of a step after which the next one may be much longer
 SHORT = 0.98  # of the expected movement of a second jack: where its force is looked at for the first time
 
 
-class NoEquilibrium(Exception):
+class NoEquilibriumError(Exception):
     """A stage found no equilibrium beyond the fraction that it reached."""
 
     def __init__(self, stage: int, reached: float) -> None:
@@ -33,7 +35,8 @@ class NoEquilibrium(Exception):
 
 @dataclass(frozen=True)
 class Rig:
-    """A member under test: its arrays, the kernels' handle on the same, its live ends and whether it is grouted."""
+    """A member under test: its arrays, the kernels' handle on the same, its live ends and whether it is
+    grouted."""
 
     case: Case
     handle: Any
@@ -52,7 +55,7 @@ class Rig:
     @property
     def full(self) -> bool:
         """Whether there is room to record another step."""
-        return bool(self.case.history.count[0] >= self.case.history.stage.size)
+        return bool(self.case.history.rows[0] >= self.case.history.stage.size)
 
     def gap(self, side: int) -> float:
         """How far the tendon's end stands out of its anchor [mm]."""
@@ -60,10 +63,11 @@ class Rig:
 
     def anchor_force(self, side: int) -> float:
         """Force at an anchor in the last recorded step [N]."""
-        return float(self.case.history.anchor[self.case.history.count[0] - 1, side])
+        return float(self.case.history.anchor[self.case.history.rows[0] - 1, side])
 
     def drive(self, side: int, mode: int) -> None:
-        """Drive an end in another way from now on; friction at its anchor keeps its force, slip is measured anew."""
+        """Drive an end in another way from now on; friction at its anchor keeps its force, slip is measured
+        anew."""
         _, state, ends, work, *_ = self.case
         last = len(work.T) - 1
         slip = self.gap(side)
@@ -74,8 +78,9 @@ class Rig:
         state.s[0 if side == LEFT else -1] = slip
 
 
-def ramp(rig: Rig, stage: int, loads: tuple[Array, Array], values: tuple[Array, Array], bonded: bool, first: float) -> None:
-    """Move loads and end values together from their first to their second in steps that adapt to the iterations they need."""
+def ramp(rig: Rig, stage: int, loads: Pair, values: Pair, bonded: bool, first: float) -> None:
+    """Move loads and end values together from their first to their second in steps that adapt to the
+    iterations they need."""
     none = np.zeros_like(loads[0])
     done, step = 0.0, first
     while done < 1.0:
@@ -90,14 +95,16 @@ def ramp(rig: Rig, stage: int, loads: tuple[Array, Array], values: tuple[Array, 
         else:
             step = 0.25 * (share - done)
             if step < SMALLEST or rig.full:
-                raise NoEquilibrium(stage, done)
+                raise NoEquilibriumError(stage, done)
 
 
 def jack(rig: Rig, force: float, movement: float, self_weight: Array) -> None:
-    """Jacking: the live ends are pulled to `force` from slack; the beam lifts its own weight as it is stressed.
+    """Jacking: the live ends are pulled to `force` from slack; the beam lifts its own weight as it is
+    stressed.
 
-    With two live ends the left one is pulled, and the right one is moved outward until its force is the same: a little less than its expected
-    movement first, so that the force is approached from below, then by what is missing.
+    With two live ends the left one is pulled, and the right one is moved outward until its force is the same:
+    a little less than its expected movement first, so that the force is approached from below, then by what
+    is missing.
     """
     for side in (LEFT, RIGHT):
         rig.case.ends.mode[side] = PULLED if rig.live[side] else ANCHORED
@@ -120,7 +127,7 @@ def jack(rig: Rig, force: float, movement: float, self_weight: Array) -> None:
         pulled[RIGHT] += missing / slope
         ramp(rig, JACKING, (self_weight, self_weight), (start, pulled), False, 1.0)
         slope = (rig.anchor_force(RIGHT) - before) / (pulled[RIGHT] - start[RIGHT])
-    raise NoEquilibrium(JACKING, 1.0)
+    raise NoEquilibriumError(JACKING, 1.0)
 
 
 def set_wedges(rig: Rig, wedge_set: float, load: Array) -> None:
@@ -133,14 +140,15 @@ def set_wedges(rig: Rig, wedge_set: float, load: Array) -> None:
 
 
 def anchor(rig: Rig, load: Array) -> None:
-    """Anchoring: prescribed motion and its reaction are swapped for the anchorage, born where the end is with the force it has."""
+    """Anchoring: prescribed motion and its reaction are swapped for the anchorage, born where the end is with
+    the force it has."""
     for side in rig.ends:
         rig.drive(side, ANCHORED)
     held = rig.case.ends.value.copy()
     ramp(rig, ANCHORING, (load, load), (held, held), False, 1.0)
 
 
-def sustain(rig: Rig, loads: tuple[Array, Array], bonded: bool) -> None:
+def sustain(rig: Rig, loads: Pair, bonded: bool) -> None:
     """Service, first part: the sustained load comes on."""
     held = rig.case.ends.value.copy()
     ramp(rig, SUSTAINED, loads, (held, held), bonded, 0.25)
@@ -148,7 +156,8 @@ def sustain(rig: Rig, loads: tuple[Array, Array], bonded: bool) -> None:
 
 @dataclass(frozen=True)
 class Control:
-    """Displacement control: the degree of freedom, its value in the anchored state, the sense it is driven in, how far, and in what steps [mm]."""
+    """Displacement control: the degree of freedom, its value in the anchored state, the sense it is driven
+    in, how far, and in what steps [mm]."""
 
     dof: int
     start: float
@@ -159,11 +168,13 @@ class Control:
 
 
 def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bonded: bool) -> bool:
-    """Service, second part: the live pattern, driven by the control point's deflection to its limit or to the rupture of the tendon.
+    """Service, second part: the live pattern, driven by the control point's deflection to its limit or to the
+    rupture of the tendon.
 
-    False where no equilibrium was found beyond the last recorded step. Steps land on the first limit strain of a material.
+    False where no equilibrium was found beyond the last recorded step. Steps land on the first limit strain
+    of a material.
     """
-    state, work = rig.case.state, rig.case.work
+    state = rig.case.state
     factor, step = 0.0, control.first
     used = max(utilisation(rig.handle, state.u))
     failed = used >= 1.0
@@ -191,7 +202,8 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
 
 @dataclass(frozen=True)
 class Trial:
-    """A step that was tried: whether it found equilibrium, at which load factor, and the largest limit strain's utilisation there."""
+    """A step that was tried: whether it found equilibrium, at which load factor, and the largest limit
+    strain's utilisation there."""
 
     step: float
     converged: bool
@@ -215,7 +227,8 @@ def reach_deflection(
 
 
 def approach(reach: Callable[[float], Trial], step: float, control: Control) -> Trial | None:
-    """The first step that finds equilibrium: ever shorter ones, then, as a crack that opens at once passes its snap-back, longer ones."""
+    """The first step that finds equilibrium: ever shorter ones, then, as a crack that opens at once passes
+    its snap-back, longer ones."""
     shorter = [step * 0.25**i for i in range(5)]
     longer = [control.largest * share for share in (0.5, 1.0, 2.0)]
     for size in [*shorter, *(size for size in longer if size > step)]:
@@ -226,7 +239,8 @@ def approach(reach: Callable[[float], Trial], step: float, control: Control) -> 
 
 
 def land(reach: Callable[[float], Trial], over: Trial, used: float) -> Trial:
-    """A shorter step that ends on the limit strain that `over` passed; `over` itself where the response jumps across it."""
+    """A shorter step that ends on the limit strain that `over` passed; `over` itself where the response jumps
+    across it."""
     last = over
     for _ in range(4):
         trial = reach(last.step * min(max((1.001 - used) / (last.demand - used), 0.1), 0.95))

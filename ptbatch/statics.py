@@ -1,4 +1,5 @@
-"""Section moments from equilibrium alone: reactions and loads on one side of the section, on the deflected member."""
+"""Section moments from equilibrium alone: reactions and loads on one side of the section, on the deflected
+member."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -43,10 +43,9 @@ def _capacity(response: Response) -> Row:
         "load_yield [kN]": _event_load(response, "yield", "no bar or tendon yields"),
     }
     names = ("load_peak [kN]", "load_factor_peak", "deflection_peak [mm]", "moment_peak [kN m]")
+    stresses = ("tendon_stress_peak_mean [MPa]", "tendon_stress_peak_max [MPa]")
     if peak is None or at_peak is None or curve is None:
-        row |= dict.fromkeys(names, _not_reached(response))
-        row |= dict.fromkeys(("tendon_stress_peak_mean [MPa]", "tendon_stress_peak_max [MPa]"), _not_reached(response))
-        return row | {"failure": _not_reached(response)}
+        return row | dict.fromkeys((*names, *stresses, "failure"), _not_reached(response))
     factor = float(curve.factor[round(peak.step)])
     return row | {
         "load_peak [kN]": peak.load / 1e3,

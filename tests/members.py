@@ -67,7 +67,7 @@ def sustained(values: dict) -> Run:
 def last_row(run: Run, stage: int) -> int:
     """Row of the record where a stage ended."""
     history = run.rig.case.history
-    return int(np.flatnonzero(history.stage[: history.count[0]] == stage)[-1])
+    return int(np.flatnonzero(history.stage[: history.rows[0]] == stage)[-1])
 
 
 def stations(run: Run, row: int) -> tuple[np.ndarray, np.ndarray]:

@@ -1,1 +1,2 @@
-"""Compiled mechanics: plain free functions on floats and arrays that know no names, no units and no workbook."""
+"""Compiled mechanics: plain free functions on floats and arrays that know no names, no units and no
+workbook."""

@@ -1,12 +1,13 @@
 """The tendon's ends: jack, wedge set and anchorage element, eqs (24)-(32).
 
-The end node sits on the duct's end tangent at `gap` (outward positive) from the anchor, which turns with the end section; what pulls it
-reacts on the embedding node there. Degrees of freedom q (6,): gap; u, v, theta of the beam node; tendon neighbour (x, y), positions relative to the
-beam node. Between the anchor and the first tendon element stands a kink like that of any other node, so the force at the anchor is
+The end node sits on the duct's end tangent at `gap` (outward positive) from the anchor, which turns with the
+end section; what pulls it reacts on the embedding node there. Degrees of freedom q (6,): gap; u, v, theta of
+the beam node; tendon neighbour (x, y), positions relative to the beam node. Between the anchor and the first
+tendon element stands a kink like that of any other node, so the force at the anchor is
 
-    J = T (1 + a) / (1 - a) while the tendon slides out,  T (1 - a) / (1 + a) while it slides in,  a = mu tan(theta/2) + rough/2,
+    J = T (1 + a) / (1 - a) while the tendon slides out, T (1 - a) / (1 + a) while it slides in,
 
-which is what makes the tendon feel the whole angle of its profile.
+with a = mu tan(theta/2) + rough/2, which is what makes the tendon feel the whole angle of its profile.
 """
 
 from typing import NamedTuple
@@ -65,8 +66,9 @@ def end_friction(T, half_tan, slip, rub, rough, c):
 def end_forces(q, mode, value, born, T, slope, length, slid, rub, rough, a, c, f):
     """Forces f (6,); also returned: tan(theta/2) of the kink at the anchor.
 
-    The row of the gap holds, by mode: PRESCRIBED gap - value; PULLED the jack force's balance; ANCHORED the anchorage spring, born at gap `born`
-    with the force `value` of that moment, so that nothing moves when it takes over.
+    The row of the gap holds, by mode: PRESCRIBED gap - value; PULLED the jack force's balance; ANCHORED the
+    anchorage spring, born at gap `born` with the force `value` of that moment, so that nothing moves when it
+    takes over.
     """
     x, y, ox, oy = end_position(q, a)
     dx = q[4] - x

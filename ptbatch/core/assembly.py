@@ -41,7 +41,8 @@ def place_tendon(model, u, work):
 
 @kernel
 def stretch_tendon(model, state, work, with_slope):
-    """Tension, length and direction of all tendon elements; the slope dT/dlength where a tangent will want it."""
+    """Tension, length and direction of all tendon elements; the slope dT/dlength where a tangent will want
+    it."""
     for e in range(model.rest_length.size):
         x = model.tendon_x[e + 1, 0] - model.tendon_x[e, 0] + (work.place[e + 1, 0] - work.place[e, 0])
         y = model.tendon_x[e + 1, 1] - model.tendon_x[e, 1] + (work.place[e + 1, 1] - work.place[e, 1])
@@ -72,9 +73,11 @@ def gather_contact(j, model, u, work):
 
 @kernel
 def search(model, u, work):
-    """Contact search: give each inner tendon node the segment that its projection lies in, and its arc length.
+    """Contact search: give each inner tendon node the segment that its projection lies in, and its arc
+    length.
 
-    A node stays within the segments that the band of the matrix has room for; beyond the last of them its segment is prolonged.
+    A node stays within the segments that the band of the matrix has room for; beyond the last of them its
+    segment is prolonged.
     """
     n = model.x.size - 1
     reach = ((work.matrix.shape[1] - 1) // 2 - 9) // 5
@@ -105,7 +108,8 @@ def search(model, u, work):
 
 @kernel
 def end_slip(side, mode, model, u, work):
-    """How far tendon has slid outward at an anchor: the gap of a live end, half the neighbour's movement at an anchored one."""
+    """How far tendon has slid outward at an anchor: the gap of a live end, half the neighbour's movement at
+    an anchored one."""
     n = model.x.size - 1
     if mode == ANCHORED:
         return -0.5 * work.s[1] if side == 0 else 0.5 * work.s[n]
@@ -264,7 +268,8 @@ def add_truss(e, work):
 def add_contact(j, model, state, u, bonded, work):
     """Force and tangent of one contact element: a column for each dof by the complex step.
 
-    A common translation makes no force, so the columns of master 2's u and v are minus the sum of the others of their direction.
+    A common translation makes no force, so the columns of master 2's u and v are minus the sum of the others
+    of their direction.
     """
     gather_contact(j, model, u, work)
     seg = segment(work.segment[j], model)
@@ -317,7 +322,8 @@ def add_contact(j, model, state, u, bonded, work):
 
 @kernel
 def add_neighbour(row, j, kx, ky, model, u, work):
-    """A row's derivative by the position of tendon node j; that of an end node is carried by its gap and its beam node."""
+    """A row's derivative by the position of tendon node j; that of an end node is carried by its gap and its
+    beam node."""
     n = model.x.size - 1
     if 0 < j <= n:
         add_to(work.matrix, row, tendon_dof(j), kx)

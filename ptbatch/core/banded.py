@@ -7,8 +7,8 @@ from ptbatch.core.jit import kernel
 def factorise(a, half, multipliers, pivots):
     """LU with partial pivoting, in place.
 
-    a (n, 2 half + 1): column j of row i at a[i, j - i + half] on entry. On return U of row i starts at a[i, 0]; the multipliers (n, half) and the
-    pivots (n,) hold L. False where a pivot is zero or not finite.
+    a (n, 2 half + 1): column j of row i at a[i, j - i + half] on entry. On return U of row i starts at a[i,
+    0]; the multipliers (n, half) and the pivots (n,) hold L. False where a pivot is zero or not finite.
     """
     n = a.shape[0]
     width = 2 * half + 1

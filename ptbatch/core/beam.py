@@ -1,7 +1,8 @@
-"""Fibre-section Euler-Bernoulli beam element, co-rotational: cubic deflection and constant axial strain about its own chord.
+"""Fibre-section Euler-Bernoulli beam element, co-rotational: cubic deflection and constant axial strain about
+its own chord.
 
-Two Gauss sections an element; at these points the bending moment under uniform load is exact. Sagging curvature and moment are
-positive, the layer at height y strains by eps0 - y kappa.
+Two Gauss sections an element; at these points the bending moment under uniform load is exact. Sagging
+curvature and moment are positive, the layer at height y strains by eps0 - y kappa.
 """
 
 import numpy as np
@@ -34,7 +35,8 @@ def section_forces(eps0, kappa, model, past, plastic, bar_area):
 
 @kernel
 def section_tangent(eps0, kappa, model, past, plastic, bar_area, flat):
-    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa): one complex evaluation a fibre gives stress and modulus.
+    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa): one complex evaluation a fibre gives stress and
+    modulus.
 
     flat: fibres that soften count with no stiffness rather than with a negative one.
     """
@@ -71,7 +73,8 @@ def section_tangent(eps0, kappa, model, past, plastic, bar_area, flat):
 
 @kernel
 def chord(length, d):
-    """(elongation, cosine, sine, current length, end rotations 1 and 2 from the chord) from the element's six displacements."""
+    """(elongation, cosine, sine, current length, end rotations 1 and 2 from the chord) from the element's six
+    displacements."""
     du = d[3] - d[0]
     dv = d[4] - d[1]
     now = np.sqrt((length + du) ** 2 + dv**2)
@@ -112,7 +115,8 @@ def beam_forces(e, model, state, d, f):
 
 @kernel
 def beam_tangent(e, model, state, d, flat, f, k):
-    """Nodal forces f (6,) and tangent k (6, 6): material part by the complex step in the fibres, geometric part of the chord."""
+    """Nodal forces f (6,) and tangent k (6, 6): material part by the complex step in the fibres, geometric
+    part of the chord."""
     length = model.x[e + 1] - model.x[e]
     elongation, c, s, now, turn1, turn2 = chord(length, d)
     N = M1 = M2 = 0.0
@@ -154,7 +158,11 @@ def beam_tangent(e, model, state, d, flat, f, k):
             u1 = -z[j] / now + (1.0 if j == 2 else 0.0)
             u2 = -z[j] / now + (1.0 if j == 5 else 0.0)
             k[i, j] = (
-                a0 * r[j] + a1 * u1 + a2 * u2 + N / now * z[i] * z[j] + shear / now * (r[i] * z[j] + z[i] * r[j])
+                a0 * r[j]
+                + a1 * u1
+                + a2 * u2
+                + N / now * z[i] * z[j]
+                + shear / now * (r[i] * z[j] + z[i] * r[j])
             )
 
 

@@ -1,7 +1,8 @@
 """Where compiled kernels are kept between runs.
 
-numba does not notice that a function called by a cached one has changed, so the folder is named after a hash of all kernel
-sources and of the versions that made the code: a stale cache is never looked at. Results never depend on it.
+numba does not notice that a function called by a cached one has changed, so the folder is named after a hash
+of all kernel sources and of the versions that made the code: a stale cache is never looked at. Results never
+depend on it.
 """
 
 import hashlib
@@ -37,7 +38,8 @@ def user_cache() -> Path:
 
 
 def cache_folder() -> Path:
-    """A writable folder for this version of the kernels; a temporary one where the user's cannot be written."""
+    """A writable folder for this version of the kernels; a temporary one where the user's cannot be
+    written."""
     folder = user_cache() / source_key()
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,10 +1,11 @@
 """Concrete: stress from strain, tension positive, both branches and their reversal.
 
-On reversal from compression a fibre unloads straight, at most with the law's initial modulus, to the residual strain of Karsan and
-Jirsa (1969), and returns on the same line: crushed concrete does not regain its strength. Tension is counted from that residual strain. On
-reversal from a crack it returns along the secant to where tension is counted from, and reopens on it: an opened crack does not carry ft again.
-Beyond `crushing_strain` the last stress is held: the member has failed by then (the event is reported and capacity is taken
-no later), and the curve that follows is for information.
+On reversal from compression a fibre unloads straight, at most with the law's initial modulus, to the residual
+strain of Karsan and Jirsa (1969), and returns on the same line: crushed concrete does not regain its
+strength. Tension is counted from that residual strain. On reversal from a crack it returns along the secant
+to where tension is counted from, and reopens on it: an opened crack does not carry ft again. Beyond
+`crushing_strain` the last stress is held: the member has failed by then (the event is reported and capacity
+is taken no later), and the curve that follows is for information.
 """
 
 from typing import NamedTuple
@@ -35,8 +36,8 @@ class Concrete(NamedTuple):
 def compression(x, c):
     """Envelope stress (positive) at a compressive strain x >= 0.
 
-    Hognestad (1951): parabola to fc, straight to 0.85 fc at the crushing strain. EN 1992-1-1 (3.17): parabola-rectangle.
-    Popovics (1973) in Collins and Mitchell's form.
+    Hognestad (1951): parabola to fc, straight to 0.85 fc at the crushing strain. EN 1992-1-1 (3.17):
+    parabola-rectangle. Popovics (1973) in Collins and Mitchell's form.
     """
     if c.law == ELASTIC:
         return c.Ec * x
@@ -62,9 +63,10 @@ def compression(x, c):
 def tension(x, c):
     """Envelope stress at a tensile strain x >= 0.
 
-    `softening`: straight from ft to zero at eps_end. `stiffening`: Nayal and Rasheed (2006) after Gilbert and Warner (1978), 0.8 ft
-    just after cracking, 0.45 ft at 4 eps_cr, zero at 10 eps_cr, stretched to eps_end; the sudden drop to 0.8 ft is spread over
-    the first quarter of eps_cr, so that stress is a function of strain.
+    `softening`: straight from ft to zero at eps_end. `stiffening`: Nayal and Rasheed (2006) after Gilbert and
+    Warner (1978), 0.8 ft just after cracking, 0.45 ft at 4 eps_cr, zero at 10 eps_cr, stretched to eps_end;
+    the sudden drop to 0.8 ft is spread over the first quarter of eps_cr, so that stress is a function of
+    strain.
     """
     if c.law == ELASTIC:
         return c.Ec * x
@@ -85,8 +87,9 @@ def tension(x, c):
 
 @kernel
 def concrete_stress(eps, past, c):
-    """Stress of a fibre. past (5,), strains as magnitudes: worst tension, its secant, worst compression, its unloading modulus and residual
-    strain."""
+    """Stress of a fibre. past (5,), strains as magnitudes: worst tension, its secant, worst compression, its
+    unloading modulus and residual strain.
+    """
     opening = eps + past[4]
     if opening.real > 0.0:  # at rest a fibre shows its compressive modulus, also where tension has none
         return past[1] * opening if opening.real < past[0] else tension(opening, c)
@@ -95,8 +98,9 @@ def concrete_stress(eps, past, c):
 
 @kernel
 def residual_strain(x, c):
-    """Residual strain (positive) after unloading from the compressive strain x; Karsan and Jirsa (1969) as fitted by Kent, Scott and Park,
-    and never less than unloading with the initial modulus leaves."""
+    """Residual strain (positive) after unloading from the compressive strain x; Karsan and Jirsa (1969) as
+    fitted by Kent, Scott and Park, and never less than unloading with the initial modulus leaves.
+    """
     ratio = x / c.eps_c
     residual = 0.145 * ratio**2 + 0.13 * ratio if ratio < 2.0 else 0.707 * (ratio - 2.0) + 0.834
     return min(residual * c.eps_c, x - compression(x, c) / c.E0)

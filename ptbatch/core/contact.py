@@ -1,13 +1,16 @@
-"""Modified node-to-segment contact, eqs (1)-(23): a tendon node slides with Coulomb friction along its duct segment.
+"""Modified node-to-segment contact, eqs (1)-(23): a tendon node slides with Coulomb friction along its duct
+segment.
 
-The segment is tied to the beam nodes at its ends (masters); it is either the straight line between the two duct nodes (the
-paper's) or the cubic with the duct's own directions there, which is the profile itself. Degrees of freedom q (12,), those of the
-paper: slave (x, y), master 1 and 2 (u, v, theta), tendon neighbours (x, y); positions relative to the first beam node.
+The segment is tied to the beam nodes at its ends (masters); it is either the straight line between the two
+duct nodes (the paper's) or the cubic with the duct's own directions there, which is the profile itself.
+Degrees of freedom q (12,), those of the paper: slave (x, y), master 1 and 2 (u, v, theta), tendon neighbours
+(x, y); positions relative to the first beam node.
 
-Three things go beyond the paper. The force is turned as a whole: N along the bisector n' of the tendon (the paper's P_n n + P_cor t is
-the same vector), friction across it, so that one kink gives T2/T1 = (1 - mu tan(theta/2)) / (1 + mu tan(theta/2)) exactly. Wobble and the turning
-that a node does not feel (opposite curvatures that cancel in its kink) add friction `rough` times the mean tendon force. The
-moment of the friction force about the sheathing is passed on to the masters.
+Three things go beyond the paper. The force is turned as a whole: N along the bisector n' of the tendon (the
+paper's P_n n + P_cor t is the same vector), friction across it, so that one kink gives T2/T1 = (1 - mu
+tan(theta/2)) / (1 + mu tan(theta/2)) exactly. Wobble and the turning that a node does not feel (opposite
+curvatures that cancel in its kink) add friction `rough` times the mean tendon force. The moment of the
+friction force about the sheathing is passed on to the masters.
 """
 
 from typing import NamedTuple
@@ -15,12 +18,12 @@ from typing import NamedTuple
 from ptbatch.core.embedding import arm, turned
 from ptbatch.core.jit import kernel, root
 
-
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 
 
 class Segment(NamedTuple):
-    """One duct segment at rest: length h along the axis, heights and slopes at its ends, arc length at its start and over it."""
+    """One duct segment at rest: length h along the axis, heights and slopes at its ends, arc length at its
+    start and over it."""
 
     h: float
     y1: float
@@ -48,7 +51,8 @@ def segment(m, model):
 
 @kernel
 def shape(xi, smooth):
-    """Weights of (point 1, direction 1, point 2, direction 2), and of their first and second derivatives by xi."""
+    """Weights of (point 1, direction 1, point 2, direction 2), and of their first and second derivatives by
+    xi."""
     if not smooth:
         zero = 0.0 * xi
         return (1.0 - xi, zero, xi, zero), (zero - 1.0, zero, zero + 1.0, zero), (zero, zero, zero, zero)
@@ -91,7 +95,8 @@ def projection_step(q, xi, seg):
 
 @kernel
 def project(q, xi, seg):
-    """xi of the slave's projection, from a first guess; it may lie outside 0..1, which the contact search then mends."""
+    """xi of the slave's projection, from a first guess; it may lie outside 0..1, which the contact search
+    then mends."""
     for _ in range(20):
         new = projection_step(q, xi, seg)
         if abs(new - xi) < 1e-14:
@@ -102,7 +107,8 @@ def project(q, xi, seg):
 
 @kernel
 def friction(slip, rub, N, T, rough, bonded, c):
-    """Coulomb's return mapping, eq. (23): friction force after a slip that starts with the friction force `rub`."""
+    """Coulomb's return mapping, eq. (23): friction force after a slip that starts with the friction force
+    `rub`."""
     trial = rub + c.tangential * slip
     if bonded:
         return trial
@@ -116,8 +122,8 @@ def friction(slip, rub, N, T, rough, bonded, c):
 def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, bonded, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s).
 
-    xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are the tensions of the tendon
-    elements on the two sides with their slopes by length, which carries theirs.
+    xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are
+    the tensions of the tendon elements on the two sides with their slopes by length, which carries theirs.
     """
     xi_c = projection_step(q, xi, seg)
     px, py = masters(q, seg)

@@ -1,7 +1,7 @@
 """Embedding element in its rigid limit: the arm from a beam node to the duct turns with the node's section.
 
-It ties u, v, theta of the beam node to the duct node exactly, so it adds no unknowns and no penalty, and an arm of zero length is
-nothing special.
+It ties u, v, theta of the beam node to the duct node exactly, so it adds no unknowns and no penalty, and an
+arm of zero length is nothing special.
 """
 
 from ptbatch.core.jit import cos_sin, kernel

@@ -11,9 +11,11 @@ from ptbatch.core.tendon import ELASTIC_TENDON
 
 @kernel
 def utilisation(case, u):
-    """(concrete, bars, tendon): largest strain over crushing, bar rupture and tendon rupture strain, at displacements u.
+    """(concrete, bars, tendon): largest strain over crushing, bar rupture and tendon rupture strain, at
+    displacements u.
 
-    Concrete is judged at the extreme fibres of the sections. The tendon's strain is that of the last evaluation. A ruptured bar no longer counts.
+    Concrete is judged at the extreme fibres of the sections. The tendon's strain is that of the last
+    evaluation. A ruptured bar no longer counts.
     """
     model, state, work = case.model, case.state, case.work
     crushing = 0.0

@@ -12,9 +12,9 @@ from ptbatch.core.reference import reference
 
 
 class History(NamedTuple):
-    """One row an accepted step, `count[0]` of them."""
+    """One row an accepted step, `rows[0]` of them."""
 
-    count: np.ndarray  # (1,) int
+    rows: np.ndarray  # (1,) int, how many of the rows below are used
     stage: np.ndarray  # (rows,) int
     factor: np.ndarray  # (rows,) of the live pattern
     iterations: np.ndarray  # (rows,) int
@@ -24,6 +24,7 @@ class History(NamedTuple):
     T: np.ndarray  # (rows, n+1)
     s: np.ndarray  # (rows, n+2) arc length of the tendon nodes
     anchor: np.ndarray  # (rows, 2) force at the two anchors
+    strain: np.ndarray  # (rows,) largest of the tendon
 
 
 HistoryRef = reference(History, "HistoryRef")
@@ -43,12 +44,13 @@ def new_history(rows: int, n: int) -> History:
         np.zeros((rows, n + 1)),
         np.zeros((rows, n + 2)),
         np.zeros((rows, 2)),
+        np.zeros(rows),
     )
 
 
 @kernel
-def record(stage, factor, iterations, residual, work, history):
-    row = history.count[0]
+def record(stage, factor, iterations, residual, rest_length, work, history):
+    row = history.rows[0]
     last = work.T.size - 1
     history.stage[row] = stage
     history.factor[row] = factor
@@ -60,7 +62,8 @@ def record(stage, factor, iterations, residual, work, history):
     history.s[row] = work.s
     history.anchor[row, 0] = work.T[0] + work.shear[0]
     history.anchor[row, 1] = work.T[last] + work.shear[last + 1]
-    history.count[0] = row + 1
+    history.strain[row] = np.max((work.length - rest_length) / rest_length)
+    history.rows[0] = row + 1
 
 
 @kernel

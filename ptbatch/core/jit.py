@@ -1,8 +1,9 @@
 """How every kernel is compiled, and the few functions that carry a complex step through non-polynomial maths.
 
-A kernel branches on real parts only. With a step of 1e-30 the first-order term of a smooth function is exact to machine
-precision, so `lift(f, df, z)` style expansions replace the slow and branch-cut-ridden complex library functions, and the
-same source serves floats (residual only) and complex numbers (residual and tangent).
+A kernel branches on real parts only. With a step of 1e-30 the first-order term of a smooth function is exact
+to machine precision, so `lift(f, df, z)` style expansions replace the slow and branch-cut-ridden complex
+library functions, and the same source serves floats (residual only) and complex numbers (residual and
+tangent).
 """
 
 from collections.abc import Callable
@@ -15,11 +16,12 @@ from ptbatch.core.cache import cache_folder
 
 STEP = 1e-30
 
-numba.config.CACHE_DIR = str(cache_folder())
+numba.config.CACHE_DIR = str(cache_folder())  # type: ignore[attr-defined]
 
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Compile with the GIL released and the disk cache on; no fast-math, so that digits do not depend on the machine."""
+    """Compile with the GIL released and the disk cache on; no fast-math, so that digits do not depend on the
+    machine."""
     return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
 
 

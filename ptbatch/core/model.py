@@ -1,8 +1,9 @@
 """What the kernels read and write: one member as plain arrays.
 
-Numbering runs along the member so that the tangent is banded: tendon node j (0 .. n+1) starts at 5 j with two degrees of freedom,
-beam node k (0 .. n) at 5 k + 2 with three (u, v, theta). A tendon end node has `gap` (mm, outward along the duct's end tangent, from
-its anchor) as its first degree of freedom and none as its second; an inner one has its displacement from where it started.
+Numbering runs along the member so that the tangent is banded: tendon node j (0 .. n+1) starts at 5 j with two
+degrees of freedom, beam node k (0 .. n) at 5 k + 2 with three (u, v, theta). A tendon end node has `gap` (mm,
+outward along the duct's end tangent, from its anchor) as its first degree of freedom and none as its second;
+an inner one has its displacement from where it started.
 """
 
 from typing import NamedTuple
@@ -43,7 +44,7 @@ class Model(NamedTuple):
     duct_slope: np.ndarray  # (n, 2) of the duct at the two ends of each segment
     duct_s: np.ndarray  # (n+1,) arc length
     hat_s: np.ndarray  # (t,) stations of the tables below
-    hat_turn: np.ndarray  # (t, 3) first integral over arc length of the absolute angle; its slope right, its slope left
+    hat_turn: np.ndarray  # (t, 3) integral over arc length of the absolute angle, its slope right and left
     hat_angle: np.ndarray  # (t, 3) the same of the signed direction
     tendon_x: np.ndarray  # (n+2, 2) where tendon nodes start; ends unused
     rest_length: np.ndarray  # (n+1,)
@@ -62,8 +63,8 @@ class State(NamedTuple):
     bar: np.ndarray  # (n, 2, r) plastic strain, nan where ruptured
     tendon: np.ndarray  # (n+1,) largest strain
     segment: np.ndarray  # (n+2,) int, the duct segment of each tendon node
-    s: np.ndarray  # (n+2,) arc length of the tendon nodes; of the two ends their own slip measure, see `end_slip`
-    rub: np.ndarray  # (n+2,) friction force there: with s, the history of slip that survives a change of segment
+    s: np.ndarray  # (n+2,) arc length of the tendon nodes; of the ends what `end_slip` measures
+    rub: np.ndarray  # (n+2,) friction force there: with s the history of slip, whatever the segment
 
 
 class Ends(NamedTuple):

@@ -1,4 +1,5 @@
-"""Equilibrium of one step: Newton-Raphson with a line search on the work of the step, under load or displacement control."""
+"""Equilibrium of one step: Newton-Raphson with a line search on the work of the step, under load or
+displacement control."""
 
 from typing import NamedTuple
 
@@ -10,11 +11,12 @@ from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
-PLAIN, SEARCH, FLAT = range(3)  # whole steps; steps searched along; searched, softening fibres without stiffness
+PLAIN, SEARCH, FLAT = range(3)  # whole steps; steps searched along; also without the stiffness of softening
 
 
 class Target(NamedTuple):
-    """External forces `fixed + factor * pattern`; with `dof` >= 0 the factor is free and that displacement is to reach `value`."""
+    """External forces `fixed + factor * pattern`; with `dof` >= 0 the factor is free and that displacement is
+    to reach `value`."""
 
     fixed: np.ndarray  # (ndof,)
     pattern: np.ndarray  # (ndof,)
@@ -23,7 +25,8 @@ class Target(NamedTuple):
 
 
 class Tolerance(NamedTuple):
-    """Convergence on both: largest residual over `force` (moments over force * arm), largest increment over `length`."""
+    """Convergence on both: largest residual over `force` (moments over force * arm), largest increment over
+    `length`."""
 
     residual: float
     increment: float
@@ -104,7 +107,8 @@ def move(eta, model, state, target, factor, dfactor, ends, bonded, work):
 
 @kernel
 def line_search(model, state, target, factor, dfactor, ends, bonded, work, tolerance):
-    """The share eta of the step to take: the whole where that lowers the work or the residual, else a zero of the work (Illinois)."""
+    """The share eta of the step to take: the whole where that lowers the work or the residual, else a zero of
+    the work (Illinois)."""
     start = power_of_step(ends, work)
     norm = residual_norm(ends, work, tolerance)
     work.before[:] = work.trial
@@ -133,7 +137,8 @@ def line_search(model, state, target, factor, dfactor, ends, bonded, work, toler
 
 @kernel
 def equilibrate(model, state, target, factor, ends, bonded, way, work, tolerance):
-    """Iterate work.trial to equilibrium in one of the ways above; returns (status, factor, iterations, relative residual)."""
+    """Iterate work.trial to equilibrium in one of the ways above; returns (status, factor, iterations,
+    relative residual)."""
     half = (work.matrix.shape[1] - 1) // 2
     increment = np.inf
     most = tolerance.plain if way == PLAIN else tolerance.search if way == SEARCH else tolerance.flat

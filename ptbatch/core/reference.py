@@ -1,7 +1,8 @@
 """Hand a tuple of arrays through the kernels as one pointer.
 
-A named tuple with dozens of arrays is copied field by field at every call, which costs more to compile than all the mechanics. `reference(Tuple)`
-makes a numba structure with the tuple's fields; a kernel turns one into the other by `Reference(*values)`. The arrays are shared, not copied.
+A named tuple with dozens of arrays is copied field by field at every call, which costs more to compile than
+all the mechanics. `reference(Tuple)` makes a numba structure with the tuple's fields; a kernel turns one into
+the other by `Reference(*values)`. The arrays are shared, not copied.
 """
 
 import sys
@@ -12,7 +13,8 @@ from numba.experimental import structref
 
 
 def reference(fields: type, name: str) -> Any:
-    """The structure class `name` with the fields of a NamedTuple, registered in the tuple's module so that the compile cache finds it."""
+    """The structure class `name` with the fields of a NamedTuple, registered in the tuple's module so that
+    the compile cache finds it."""
     module = sys.modules[fields.__module__]
 
     def preprocess_fields(self: Any, given: Any) -> Any:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from ptbatch.core.history import History, HistoryRef, commit, record, rewind
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
-from ptbatch.core.newton import CONVERGED, PLAIN, SEARCH, FLAT, Target, Tolerance, equilibrate
+from ptbatch.core.newton import CONVERGED, FLAT, PLAIN, SEARCH, Target, Tolerance, equilibrate
 from ptbatch.core.reference import reference
 from ptbatch.core.work import Work, WorkRef
 
@@ -34,10 +34,12 @@ def open_case(model, state, ends, work, history, tolerance):
 
 @kernel
 def find_equilibrium(case, fixed, pattern, dof, value, factor, bonded):
-    """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations, relative residual).
+    """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations,
+    relative residual).
 
-    Whole Newton steps first, which is all that most steps need; then searched ones, for friction that turns round; then without the negative
-    stiffness of softening fibres, which leads on slowly but surely where cracks choose their places.
+    Whole Newton steps first, which is all that most steps need; then searched ones, for friction that turns
+    round; then without the negative stiffness of softening fibres, which leads on slowly but surely where
+    cracks choose their places.
     """
     target = Target(fixed, pattern, dof, value)
     spent = 0
@@ -56,4 +58,4 @@ def find_equilibrium(case, fixed, pattern, dof, value, factor, bonded):
 def accept(case, stage, factor, iterations, residual):
     """Make the step that was tried last the committed state and record it."""
     commit(case.model, case.state, case.ends, case.work)
-    record(stage, factor, iterations, residual, case.work, case.history)
+    record(stage, factor, iterations, residual, case.model.rest_length, case.work, case.history)

@@ -8,7 +8,8 @@ RAMBERG_OSGOOD, BILINEAR, ELASTIC_TENDON = range(3)
 
 
 class Strand(NamedTuple):
-    """Area in mm2, stresses in MPa. Q, knee and R shape the Ramberg-Osgood curve (see `strand` in materials)."""
+    """Area in mm2, stresses in MPa. Q, knee and R shape the Ramberg-Osgood curve (see `strand` in
+    materials)."""
 
     Aps: float
     law: int
@@ -23,7 +24,8 @@ class Strand(NamedTuple):
 
 @kernel
 def envelope(eps, s):
-    """First-loading stress; straight with Ep below zero strain (a slack tendon is stiff only in name: it is never left there)."""
+    """First-loading stress; straight with Ep below zero strain (a slack tendon is stiff only in name: it is
+    never left there)."""
     if s.law == ELASTIC_TENDON or eps.real <= 0.0:
         return s.Ep * eps
     if s.law == BILINEAR:

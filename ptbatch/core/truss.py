@@ -27,7 +27,8 @@ def tension_and_slope(strain, worst, rest, strand):
 
 @kernel
 def truss_tangent(T, slope, ex, ey, length, k):
-    """Tangent block k (2, 2) of the force on the far node by its own position: material along the chord, T / length across."""
+    """Tangent block k (2, 2) of the force on the far node by its own position: material along the chord, T /
+    length across."""
     across = T / length
     k[0, 0] = slope * ex * ex + across * ey * ey
     k[0, 1] = (slope - across) * ex * ey

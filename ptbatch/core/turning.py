@@ -1,7 +1,9 @@
-"""How much duct each tendon node stands for: its tributary length, and the turning in it that the node does not feel.
+"""How much duct each tendon node stands for: its tributary length, and the turning in it that the node does
+not feel.
 
-A node's kink is the signed turning of the duct, weighted by the hat function between its neighbours. Where curvature changes sign inside a
-hat the two signs cancel in the kink but not in the friction. The difference, the hidden angle, is friction without a kink, like wobble.
+A node's kink is the signed turning of the duct, weighted by the hat function between its neighbours. Where
+curvature changes sign inside a hat the two signs cancel in the kink but not in the friction. The difference,
+the hidden angle, is friction without a kink, like wobble.
 """
 
 import numpy as np
@@ -11,7 +13,8 @@ from ptbatch.core.jit import kernel
 
 @kernel
 def integral(s, stations, table):
-    """Cubic Hermite value of a tabulated first integral; the columns are value, slope to the right and slope to the left."""
+    """Cubic Hermite value of a tabulated first integral; the columns are value, slope to the right and slope
+    to the left."""
     i = np.searchsorted(stations, s) - 1
     i = min(max(i, 0), stations.size - 2)
     h = stations[i + 1] - stations[i]
@@ -28,9 +31,11 @@ def integral(s, stations, table):
 
 @kernel
 def roughness(s, model, rough):
-    """Friction without a kink, per unit of tendon force, at each tendon node: mu times hidden angle + K times tributary length.
+    """Friction without a kink, per unit of tendon force, at each tendon node: mu times hidden angle + K times
+    tributary length.
 
-    s (n+2,) are the nodes' arc lengths, the ends' set to those of the anchors; the result goes to rough (n+2,).
+    s (n+2,) are the nodes' arc lengths, the ends' set to those of the anchors; the result goes to rough
+    (n+2,).
     """
     last = s.size - 1
     stations = model.hat_s

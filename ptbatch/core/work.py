@@ -53,7 +53,7 @@ def new_work(n: int, half: int) -> Work:
     ndof = 5 * n + 7
     vectors = [np.zeros(ndof) for _ in range(6)]
     complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6, 12, 8)]
-    return Work(
+    arrays = [
         *vectors,
         np.zeros((ndof, 2 * half + 1)),
         np.zeros((ndof, half)),
@@ -75,4 +75,5 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(8),
         np.zeros((8, 12)),
         *complex_scratch,
-    )
+    ]
+    return Work(*arrays)

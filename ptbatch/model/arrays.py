@@ -22,7 +22,8 @@ ANCHORAGE = 10.0  # times the contact penalty
 
 @dataclass(frozen=True)
 class Setup:
-    """What does not depend on the jacking stress: geometry, mesh and loads of a member. Load vectors are (ndof,)."""
+    """What does not depend on the jacking stress: geometry, mesh and loads of a member. Load vectors are
+    (ndof,)."""
 
     member: Member
     profile: Profile
@@ -95,7 +96,8 @@ def model(setup: Setup, losses: Losses, corrected: bool = True) -> tuple[Model, 
         materials.strand(member),
         Contact(stiff, stiff, ANCHORAGE * stiff, float(member.mu), float(member.K), line.smooth, corrected),
     )
-    return arrays, _initial_state(arrays, start, setup.live), Ends(np.zeros(2, np.int64), np.zeros(2), np.zeros(2)), start
+    ends = Ends(np.zeros(2, np.int64), np.zeros(2), np.zeros(2))
+    return arrays, _initial_state(arrays, start, setup.live), ends, start
 
 
 def _bars(member: Member, x: Array, centroid: float) -> tuple[Array, Array, Array]:
@@ -103,7 +105,7 @@ def _bars(member: Member, x: Array, centroid: float) -> tuple[Array, Array, Arra
     middle = 0.5 * (x[1:] + x[:-1])
     rows = [
         (depth, np.full(len(middle), area), member.fy)
-        for area, depth in (*zip(member.As, member.ds), *zip(member.As_top, member.ds_top))
+        for area, depth in zip(member.As + member.As_top, member.ds + member.ds_top, strict=True)
         if area > 0.0
     ]
     rows += [

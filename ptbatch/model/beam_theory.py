@@ -1,4 +1,5 @@
-"""Elastic Euler-Bernoulli beam on the member's supports: consistent loads and the point that deflects most."""
+"""Elastic Euler-Bernoulli beam on the member's supports: consistent loads and the point that deflects
+most."""
 
 from collections.abc import Iterable
 
@@ -27,7 +28,8 @@ def hermite(xi: Array | float, h: float) -> Array:
 
 
 def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
-    """Work-equivalent nodal forces and moments (nodes, 2) of downward loads: exact deflections at the nodes of an elastic beam."""
+    """Work-equivalent nodal forces and moments (nodes, 2) of downward loads: exact deflections at the nodes
+    of an elastic beam."""
     nodal = np.zeros((len(x), 2))
     for load in loads:
         if load.type == "point":
@@ -35,7 +37,7 @@ def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
             h = x[e + 1] - x[e]
             nodal[e : e + 2] -= load.value * hermite((load.x - x[e]) / h, h).reshape(2, 2)
             continue
-        for e in np.flatnonzero((x[:-1] < load.x_end) & (x[1:] > load.x)):
+        for e in map(int, np.flatnonzero((x[:-1] < load.x_end) & (x[1:] > load.x))):
             h = x[e + 1] - x[e]
             a, b = max(load.x, x[e]), min(load.x_end, x[e + 1])
             xi = (0.5 * (a + b) + 0.5 * (b - a) * GAUSS - x[e]) / h
@@ -44,7 +46,8 @@ def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
 
 
 def held_nodes(member: Member, x: Array) -> list[tuple[int, bool, bool, bool]]:
-    """(node, u held, v held, theta held) of every support; if no end holds u, the first interior support does."""
+    """(node, u held, v held, theta held) of every support; if no end holds u, the first interior support
+    does."""
     nodes = [int(np.argmin(np.abs(x - place))) for place in member.support_x]
     kinds = [member.support_left, *["roller"] * (len(nodes) - 2), member.support_right]
     if not {"pin", "fixed"} & {kinds[0], kinds[-1]} and len(kinds) > 2:

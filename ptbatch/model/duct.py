@@ -1,4 +1,5 @@
-"""The duct and the tendon at rest: heights, directions and arc length at the beam nodes, where the tendon nodes start."""
+"""The duct and the tendon at rest: heights, directions and arc length at the beam nodes, where the tendon
+nodes start."""
 
 from dataclasses import dataclass
 
@@ -26,21 +27,26 @@ class Duct:
         """(x, y) of the duct as the kernels see it, at arc lengths s, and the segments they lie in."""
         m = np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.x) - 2)
         h = np.diff(self.x)[m]
-        weights = shape.py_func((s - self.s[m]) / np.diff(self.s)[m], self.smooth)[0]
-        points = (self.x[m], h, self.x[m + 1], h), (self.y[m], h * self.slope[m, 0], self.y[m + 1], h * self.slope[m, 1])
-        x, y = (sum(w * p for w, p in zip(weights, along, strict=True)) for along in points)
+        weights = shape.py_func(  # type: ignore[attr-defined]
+            (s - self.s[m]) / np.diff(self.s)[m], self.smooth
+        )[0]
+        along = self.x[m], h, self.x[m + 1], h
+        up = self.y[m], h * self.slope[m, 0], self.y[m + 1], h * self.slope[m, 1]
+        x, y = (sum(w * p for w, p in zip(weights, points, strict=True)) for points in (along, up))
         return np.column_stack([x, y]), m
 
 
 def duct(profile: Profile, x: Array, centroid: float, smooth: bool) -> Duct:
-    """Duct through the profile at the beam nodes x; depths are measured from the top, heights from the centroid."""
+    """Duct through the profile at the beam nodes x; depths are measured from the top, heights from the
+    centroid."""
     slope = -np.column_stack([profile.slope(x[:-1], "right"), profile.slope(x[1:], "left")])
     return Duct(x, centroid - profile.depth(x), slope, profile.arc_length(x), smooth)
 
 
 def turning_tables(profile: Profile, x: Array) -> tuple[Array, Array, Array]:
-    """Arc-length stations (t,) at nodes and breaks, and there the first integrals over arc length of the absolute angle and of the
-    signed direction, each as (t, 3): value, slope to the right, slope to the left."""
+    """Arc-length stations (t,) at nodes and breaks, and there the first integrals over arc length of the
+    absolute angle and of the signed direction, each as (t, 3): value, slope to the right, slope to the left.
+    """
     at = np.unique(np.concatenate([x, profile.breaks]))
     at = at[np.append(True, np.diff(at) > 1e-9 * at[-1])]
     width = np.diff(at)[:, None]
@@ -60,7 +66,8 @@ def turning_tables(profile: Profile, x: Array) -> tuple[Array, Array, Array]:
 
 @dataclass(frozen=True)
 class TendonStart:
-    """Tendon nodes before jacking: positions (n+2, 2), rest lengths (n+1,), segments (n+2,), arc lengths (n+2,), the two gaps."""
+    """Tendon nodes before jacking: positions (n+2, 2), rest lengths (n+1,), segments (n+2,), arc lengths
+    (n+2,), the two gaps."""
 
     position: Array
     rest: Array
@@ -69,8 +76,11 @@ class TendonStart:
     gap: tuple[float, float]
 
 
-def tendon_start(line: Duct, profile: Profile, losses: Losses, live: tuple[bool, bool], Ep: float) -> TendonStart:
-    """Place the tendon so that jacking, by the analytic stresses, brings its ends to the anchors and its nodes to mid-segment."""
+def tendon_start(
+    line: Duct, profile: Profile, losses: Losses, live: tuple[bool, bool], Ep: float
+) -> TendonStart:
+    """Place the tendon so that jacking, by the analytic stresses, brings its ends to the anchors and its
+    nodes to mid-segment."""
     target = np.concatenate([[line.s[0]], 0.5 * (line.s[1:] + line.s[:-1]), [line.s[-1]]])
     s = target - _movement(line, profile, losses, live, Ep, target)
     gap = (float(line.s[0] - s[0]), float(s[-1] - line.s[-1]))

@@ -1,4 +1,5 @@
-"""The member's loads as point and line loads along x: self-weight, sustained, and the live pattern at its service value."""
+"""The member's loads as point and line loads along x: self-weight, sustained, and the live pattern at its
+service value."""
 
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Load, Member
@@ -28,7 +29,8 @@ def live(member: Member) -> list[Load]:
         return [Load("live", "uniform", x, x + span, w) for x, span in spans]
     P = member.P_live or UNIT_POINT
     shares = {"midspan": (1 / 2,), "third-points": (1 / 3, 2 / 3)}[member.live]
-    return [Load("live", "point", x + s * span, x + s * span, P / len(shares)) for x, span in spans for s in shares]
+    places = [x + share * span for x, span in spans for share in shares]
+    return [Load("live", "point", x, x, P / len(shares)) for x in places]
 
 
 def has_service_value(member: Member) -> bool:

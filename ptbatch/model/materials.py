@@ -49,13 +49,14 @@ def concrete(member: Member) -> Concrete:
 def _peak(member: Member) -> tuple[float, float]:
     """Strain at fc and exponent of the law.
 
-    hognestad: the parabola starts with Ec, so eps_c = 2 fc / Ec. parabola-rectangle: EN 1992-1-1 table 3.1. popovics:
-    Collins and Mitchell (1991), n = 0.8 + fc / 17, eps_c = fc / Ec n / (n - 1).
+    hognestad: the parabola starts with Ec, so eps_c = 2 fc / Ec. parabola-rectangle: EN 1992-1-1 table 3.1.
+    popovics: Collins and Mitchell (1991), n = 0.8 + fc / 17, eps_c = fc / Ec n / (n - 1).
     """
     if member.concrete_law == "parabola-rectangle":
         if member.fc <= 50.0:
             return 0.002, 2.0
-        return 0.002 + 0.085e-3 * (member.fc - 50.0) ** 0.53, 1.4 + 23.4 * (0.9 - min(member.fc, 90.0) / 100.0) ** 4
+        exponent = 1.4 + 23.4 * (0.9 - min(member.fc, 90.0) / 100.0) ** 4
+        return 0.002 + 0.085e-3 * (member.fc - 50.0) ** 0.53, exponent
     if member.concrete_law == "popovics":
         n = 0.8 + member.fc / 17.0
         return member.fc / member.Ec * n / (n - 1.0), n
@@ -70,8 +71,9 @@ def steel(member: Member) -> Steel:
 def strand(member: Member) -> Strand:
     """Tendon of a member.
 
-    ramberg-osgood: the modified form of Mattock (1979), Ep eps (Q + (1 - Q) / (1 + (Ep eps / 1.04 fpy)^R)^(1/R)), which starts with Ep, reaches fpu at epu
-    and, by the choice of R, fpy at 1 % strain (ASTM A416; at the strain 0.001 beyond fpy / Ep where that is more).
+    ramberg-osgood: the modified form of Mattock (1979), Ep eps (Q + (1 - Q) / (1 + (Ep eps / 1.04
+    fpy)^R)^(1/R)), which starts with Ep, reaches fpu at epu and, by the choice of R, fpy at 1 % strain (ASTM
+    A416; at the strain 0.001 beyond fpy / Ep where that is more).
     """
     knee = 1.04 * member.fpy
     Q = (member.fpu - knee) / (member.Ep * member.epu - knee)
@@ -100,7 +102,7 @@ def strand(member: Member) -> Strand:
 def penalty(member: Member, element: float) -> float:
     """Contact stiffness in N/mm: a hundred times that of a tendon element of this length.
 
-    Stiff enough that slip before friction is mobilised and the tendon's stand-off from the duct are microns; far from the round-off floor.
+    Stiff enough that slip before friction is mobilised and the tendon's stand-off from the duct are microns;
+    far from the round-off floor.
     """
     return 100.0 * member.Ep * member.Aps / element
-

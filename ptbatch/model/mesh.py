@@ -1,4 +1,5 @@
-"""Beam nodes along a member: at supports, point loads, harping points and the control point, evenly between them."""
+"""Beam nodes along a member: at supports, point loads, harping points and the control point, evenly between
+them."""
 
 from dataclasses import dataclass
 
@@ -17,7 +18,8 @@ NEAR = 0.02  # of a span: a node that is wanted anyway serves as control point
 
 @dataclass(frozen=True)
 class Mesh:
-    """x (n+1,) of the beam nodes; the control node and the sense (+1 up, -1 down) in which live load moves it."""
+    """x (n+1,) of the beam nodes; the control node and the sense (+1 up, -1 down) in which live load moves
+    it."""
 
     x: Array
     control: int
@@ -39,7 +41,8 @@ def _wanted(member: Member) -> list[float]:
     if member.profile_points:
         places += [x for x, _ in member.profile_points]
     elif member.profile == "harped":
-        places += [x + h * s for x, s in zip(member.support_x, member.span, strict=False) for h in member.harp]
+        starts = zip(member.support_x, member.span, strict=False)
+        places += [x + share * span for x, span in starts for share in member.harp]
     places.sort()
     kept = [places[0]]
     for x in places:
@@ -63,8 +66,8 @@ def _control_point(member: Member, wanted: list[float]) -> tuple[float, float]:
 
 
 def _even(member: Member, count: int) -> Array:
-    supports = member.support_x
-    return np.concatenate([np.linspace(a, b, count + 1) for a, b in zip(supports, supports[1:], strict=False)])
+    spans = zip(member.support_x, member.support_x[1:], strict=False)
+    return np.concatenate([np.linspace(a, b, count + 1) for a, b in spans])
 
 
 def _nodes(member: Member, wanted: list[float]) -> Array:

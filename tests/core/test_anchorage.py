@@ -1,4 +1,4 @@
-"""The tendon's ends: equilibrium, tangent, the kink at the anchor, and what each way of driving asks of the gap."""
+"""The tendon's ends: equilibrium, tangent, the kink at the anchor, what each mode asks of the gap."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ def chord(q):
 
 
 def evaluate(q, mode, slip=0.0, rub=3000.0, value=0.0, rough=ROUGH):
-    """(forces (6,), tan(theta/2)); tension T at Q, elastic with STIFF. Complex q as in the assembly, about its real part."""
+    """(forces (6,), tan(theta/2)); tension T at Q, elastic with STIFF. Complex q about its real part."""
     now, f = chord(q.real.copy()), np.zeros(6, q.dtype)
     tension = T + STIFF * (now - chord(Q))
     half_tan = end_forces(
@@ -82,7 +82,7 @@ def test_kink_at_the_anchor():
 
 @pytest.mark.parametrize("rough", [0.0, ROUGH])
 def test_jack_force_is_the_tension_over_its_friction(rough):
-    """Closed form: T (1 + a) / (1 - a) while the tendon slides out, T (1 - a) / (1 + a) while it slides in."""
+    """Closed form: T (1 + a) / (1 - a) while the tendon slides out, the inverse while it slides in."""
     f, half_tan = evaluate(Q, PULLED, slip=30.0, rough=rough)
     a = 0.3 * half_tan + 0.5 * rough
     assert f[0] == pytest.approx(T * (1 + a) / (1 - a), rel=1e-12)

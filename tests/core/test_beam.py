@@ -11,13 +11,13 @@ from tests.core.numerics import central_jacobian, turned_by
 from tests.members import ELASTIC, SMALL
 
 E, LENGTH = 2, 1000.0  # element under test of the small member
-# Shortened by 0.04 %, bent to 0.4 mm per 1000: the lower half has cracked, the bars and the top fibre are at work.
+# Shortened by 0.04 % and bent: the lower half has cracked, the bars and the top fibre are at work.
 BENT = np.array([0.3, -2.0, -0.004, -0.1, -4.5, 0.003])
 TURN = 0.8
 
 
 def arrays(**more):
-    """Model and state as the kernels know them: a class of our own would end up in the compile cache of all users."""
+    """Model and state in their own classes: one of ours would end up in the compile cache of all users."""
     setup = set_up(Member(**SMALL | more))
     return prepare(setup, setup.member.fpj).rig.case[:2]
 
