@@ -47,6 +47,8 @@ def find_events(service: Service) -> tuple[tuple[Event, ...], str]:
             events.append(Event(name, step, *_at(step, curve), float(x)))
     failures = [event for event in events if event.name in (CRUSHING, TENDON_RUPTURE, BAR_RUPTURE)]
     first = min(failures, key=lambda event: event.step, default=None)
+    if first is not None:  # what comes later belongs to a member that has failed
+        events = [event for event in events if event.step <= first.step]
     events.append(_peak(curve, first))
     return tuple(sorted(events, key=lambda event: event.step)), "" if first is None else first.name
 

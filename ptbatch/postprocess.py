@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+SLIGHT = 1e-3  # of the force: less friction than this along the whole tendon holds no set back
 STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCHORING}
 
 
@@ -130,7 +131,9 @@ def _set_length(run: "Run", jacked: int, after: int) -> float:
         inward[0] = inward[1]
         before, inward, tributary = before[::-1], -inward[::-1], tributary[::-1]
     now = steps(after) if run.setup.live[0] else steps(after)[::-1]
-    if np.abs(before).sum() < 1e-9:
+    if run.setup.member.set == 0.0:
+        return 0.0
+    if np.abs(before).sum() < SLIGHT:
         turned = np.ones_like(before)
     else:
         turned = np.clip(0.5 * (1.0 - now / np.where(np.abs(before) > 1e-12, before, np.inf)), 0.0, 1.0)

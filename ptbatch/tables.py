@@ -59,7 +59,7 @@ def _capacity(response: Response) -> Row:
 
 
 def _not_reached(response: Response) -> str:
-    return f"not converged: {response.message}"
+    return "not converged: see message"
 
 
 def _or_stage(value: float | None, response: Response) -> Value:
@@ -78,7 +78,7 @@ def _event_load(response: Response, name: str, otherwise: str) -> Value:
     if response.curve is None or response.event("peak") is None:
         return _not_reached(response)
     if event is None:
-        return f"{otherwise} before the end of the curve"
+        return f"{otherwise} before failure or the end of the curve"
     return "before any live load" if _before_live(event, response) else event.load / 1e3
 
 

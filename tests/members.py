@@ -70,9 +70,9 @@ def last_row(run: Run, stage: int) -> int:
     return int(np.flatnonzero(history.stage[: history.rows[0]] == stage)[-1])
 
 
-def stations(run: Run, row: int) -> tuple[np.ndarray, np.ndarray]:
-    """x of left anchor, middle of each tendon element and right anchor, and the stresses there [MPa]."""
-    history, setup = run.rig.case.history, run.setup
+def stations(run: Run, stage: int) -> tuple[np.ndarray, np.ndarray]:
+    """x of left anchor, middle of each tendon element and right anchor, and the stresses after a stage [MPa]."""
+    history, setup, row = run.rig.case.history, run.setup, last_row(run, stage)
     s = np.concatenate([setup.duct.s[:1], history.s[row, 1:-1], setup.duct.s[-1:]])
     fine = np.linspace(0.0, setup.duct.x[-1], 4001)
     middle = np.interp(0.5 * (s[1:] + s[:-1]), setup.profile.arc_length(fine), fine)
@@ -86,8 +86,8 @@ def closed_form(run: Run, reversal: str = "friction"):
     return analytic_losses(run.setup.profile, m.fpj, m.mu, m.K, m.Ep, m.set, m.jack, reversal)
 
 
-# A little of everything: bars, friction, wobble, a bent tendon; small, for tests of elements and their assembly
+# A little of everything: bars, friction, wobble, a bent tendon; for tests of elements and their assembly
 SMALL = dict(
-    member="small", span=6000, b=300, h=500, fc=35, Aps=400, dp=(250, 400, 250), fpj=1200, set=2, mu=0.15, K=1e-6,
-    As=(300, 200), ds=(450, 420), As_top=150, ds_top=50, elements=6, layers=12,
+    member="small", span=6000, b=300, h=500, fc=35, Aps=400, dp=(250, 400, 250),
+    fpj=1200, set=2, mu=0.15, K=1e-6, As=(300, 200), ds=(450, 420), As_top=150, ds_top=50, elements=6, layers=12,
 )  # fmt: skip

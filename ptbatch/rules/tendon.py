@@ -1,7 +1,10 @@
 """The tendon: its path inside the section, its stress, friction given once."""
 
 from collections.abc import Iterator
+from types import SimpleNamespace
 
+from ptbatch.geometry.profile import tendon_profile
+from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.rules.fault import Fault, Rule, Values, counted, rule
 
 
@@ -90,12 +93,38 @@ def wobble_given_once(v: Values) -> Iterator[Fault]:
         yield Fault("k_ec2", v["k_ec2"], "both K and k_ec2 are given", "leave one blank: K = mu k_ec2")
 
 
-@rule("wobble", "mu", "K")
-def sine_has_friction(v: Values) -> Iterator[Fault]:
-    """An angle needs curvature friction to act through."""
-    if v["wobble"] == "sine" and v["mu"] == 0.0 and v["K"] > 0.0:
-        wrong = "wobble as a sine needs curvature friction, but mu is zero"
-        yield Fault("wobble", "sine", wrong, "take wobble = direct, or give mu above zero")
+@rule("wobble")
+def wobble_is_direct(v: Values) -> Iterator[Fault]:
+    """The engine knows wobble as friction per length; a row that asks for the other form is not run as if
+    it did not."""
+    if v["wobble"] == "sine":
+        wrong = "wobble as a sine on the profile is not available yet"
+        yield Fault("wobble", "sine", wrong, "take wobble = direct: the same friction, per length of tendon")
+
+
+@rule("span", "profile", "h", "fpu", "set", "mu", "K", "Ep", "jack", "inflection", "harp")
+def set_leaves_stress(v: Values) -> Iterator[Fault]:
+    """Stress is left after the wedge set, and `fpe` can be reached without passing fpu at the jack.
+
+    Asked only where the tendon is otherwise sound.
+    """
+    sound = (depths_counted, harps_in_order, inflection_before_midspan, points_run_through, tendon_inside)
+    wanted = v.get("fpe")
+    if "dp" not in v or any(rule(v) for rule in sound) or (wanted is None) == (v.get("fpj") is None):
+        return
+    friction = v["mu"], v["K"], v["Ep"], v["set"], v["jack"]
+    path = tendon_profile(SimpleNamespace(**v))
+    fpj: float = v["fpj"] if wanted is None else fpj_for_mean(path, wanted, *friction)
+    if wanted is not None:
+        if fpj > v["fpu"]:
+            wrong = f"a set of {v['set']:g} mm makes it take {fpj:.4g} MPa at the jack, above fpu"
+            yield Fault("fpe", wanted, wrong, "ask for less stress, or give a smaller set")
+            return
+    try:
+        analytic_losses(path, fpj, *friction, reversal="mirror")
+    except ValueError as slack:
+        wrong = str(slack).removeprefix("set: ")
+        yield Fault("set", v["set"], wrong, "give a smaller set, or 0 where losses are not asked for")
 
 
 RULES: tuple[Rule, ...] = (
@@ -108,5 +137,6 @@ RULES: tuple[Rule, ...] = (
     _below_fpu("fpj"),
     _below_fpu("fpe"),
     wobble_given_once,
-    sine_has_friction,
+    wobble_is_direct,
+    set_leaves_stress,
 )
