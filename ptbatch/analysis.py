@@ -112,7 +112,7 @@ def mean_stress(run: Run) -> float:
 def serve(run: Run, refine: int) -> bool:
     """Stage 4; whether the live load could be followed to the deflection limit or a rupture."""
     setup, member = run.setup, run.setup.member
-    bonded = member.bond == "bonded"
+    bonded = bool(member.bond == "bonded")
     dof = 5 * setup.mesh.control + 3
     control = stages.Control(
         dof,

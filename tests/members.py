@@ -71,7 +71,7 @@ def last_row(run: Run, stage: int) -> int:
 
 
 def stations(run: Run, stage: int) -> tuple[np.ndarray, np.ndarray]:
-    """x of left anchor, middle of each tendon element and right anchor, and the stresses after a stage [MPa]."""
+    """x of left anchor, middle of each tendon element, right anchor, and the stress there [MPa]."""
     history, setup, row = run.rig.case.history, run.setup, last_row(run, stage)
     s = np.concatenate([setup.duct.s[:1], history.s[row, 1:-1], setup.duct.s[-1:]])
     fine = np.linspace(0.0, setup.duct.x[-1], 4001)
@@ -89,5 +89,15 @@ def closed_form(run: Run, reversal: str = "friction"):
 # A little of everything: bars, friction, wobble, a bent tendon; for tests of elements and their assembly
 SMALL = dict(
     member="small", span=6000, b=300, h=500, fc=35, Aps=400, dp=(250, 400, 250),
-    fpj=1200, set=2, mu=0.15, K=1e-6, As=(300, 200), ds=(450, 420), As_top=150, ds_top=50, elements=6, layers=12,
+    fpj=1200, set=2, mu=0.15, K=1e-6, As=(300, 200), ds=(450, 420),
+    As_top=150, ds_top=50, elements=6, layers=12,
 )  # fmt: skip
+
+# Different enough for what holds of every member
+KINDS = {
+    "imaginary": IMAGINARY | dict(w_dead=5.0),
+    "two spans": specimen(22, 3.18) | dict(w_dead=20.0),
+    "cracked": SMALL | dict(w_dead=45.0),
+    "grouted": SMALL | dict(w_dead=45.0, bond="bonded"),
+    "fixed": SMALL | dict(support_left="fixed", w_dead=30.0, jack="both"),
+}

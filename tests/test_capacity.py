@@ -10,7 +10,8 @@ from ptbatch.tables import summary_row
 # Section strengths by structuralcodes 0.7.2 (published): parabola-rectangle, no tension
 SECTION = dict(
     member="300 x 600", span=8000, b=300, h=600, fc=26.67, concrete_law="parabola-rectangle",
-    tension_law="none", Aps=1000, profile="straight", dp=500, Ep=195000, tendon_law="bilinear", fpy=1391.2, fpu=1391.4, fpe=1100,
+    tension_law="none", Aps=1000, profile="straight", dp=500, Ep=195000,
+    tendon_law="bilinear", fpy=1391.2, fpu=1391.4, fpe=1100,
     mu=0, K=0, set=0, self_weight=False,
 )  # fmt: skip
 BONDED, AT_EFFECTIVE_STRESS = 571.3, 472.3  # kN m

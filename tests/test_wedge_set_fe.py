@@ -43,9 +43,8 @@ def test_parabola_of_20_m(elements):
 def test_set_that_reaches_the_far_end(elements):
     run = anchored(REACHING | dict(elements=elements))
     x, stress = stations(run, SETTING)
-    assert_allclose(
-        stress, closed_form(run).stress_anchored(x), atol=1.5
-    )  # closed form, the tolerance
+    # closed form, the tolerance
+    assert_allclose(stress, closed_form(run).stress_anchored(x), atol=1.5)
     # mirrored: with so little friction the two constructions differ by 0.5 MPa
     near = np.interp(np.linspace(0.0, 20000.0, 5), x, stress)
     assert_allclose(near, [1158.859, 1166.754, 1174.638, 1182.472, 1190.217], atol=1.5)

@@ -166,7 +166,7 @@ def equilibrate(model, state, target, factor, ends, bonded, way, work, tolerance
             dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
             for i in range(work.du.size):
                 work.du[i] += dfactor * work.du_load[i]
-        if way == PLAIN:
+        if way == PLAIN or iteration == 0:  # from equilibrium the first step has no work to search along
             work.trial[:] += work.du
             factor += dfactor
         else:
