@@ -20,6 +20,7 @@ JACKING, SETTING, ANCHORING, SUSTAINED, LIVE = range(5)
 NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
 LEFT, RIGHT = 0, 1
 OVERSHOOT = 1.005  # of a limit strain: how near a step must land on it
+LET_GO = 1.0 - 1e-6  # of the friction force: nodes about to turn round stick first, rather than slide on
 SMALLEST = 1e-4  # of a stage: below this a step is given up
 EASY = 10  # iterations of a step after which the next one may be much longer
 SHORT = 0.98  # of the expected movement of a second jack: where its force is looked at for the first time
@@ -132,6 +133,7 @@ def jack(rig: Rig, force: float, movement: float, self_weight: Array) -> None:
 
 def set_wedges(rig: Rig, wedge_set: float, load: Array) -> None:
     """Wedge set: the live ends move back by the set; friction turns round over the influence length."""
+    rig.case.state.rub[:] *= LET_GO
     for side in rig.ends:
         rig.drive(side, PRESCRIBED)
         rig.case.ends.value[side] = rig.gap(side)
