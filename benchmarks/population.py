@@ -16,6 +16,7 @@ from ptbatch.member import Member, MemberError
 Values = dict[str, Any]
 
 FREE_POINTS = 9  # of a span of a free profile
+CANTILEVER = 14e3  # mm; a longer one does not stand within 2.5 m of depth
 HARPS = ((0.5,), (1 / 3, 2 / 3), (0.4, 0.6))
 
 
@@ -66,6 +67,8 @@ def _spans(rng: np.random.Generator) -> Values:
         span[0] *= 0.35
     if right == "free" and count > 1:
         span[-1] *= 0.35
+    if count == 1 and "free" in (left, right):
+        span = np.minimum(span, CANTILEVER)
     span = np.maximum(span, 3000.0)
     return {"span": tuple(np.round(span, -1).tolist()), "support_left": left, "support_right": right}
 
@@ -74,7 +77,7 @@ def _section(rng: np.random.Generator, span: float, count: int, cantilever: bool
     slender = rng.uniform(12.0, 22.0 if cantilever and count == 1 else 28.0)
     kind = str(rng.choice(["beam", "slab"]))
     if cantilever and count == 1:
-        slender *= 0.4
+        slender *= 0.35
     if kind == "slab" and span < 14e3:
         h = float(np.clip(1.4 * span / slender / 1.4, 120.0, 500.0)) * rng.uniform(0.8, 1.0)
         h = max(h, 120.0)

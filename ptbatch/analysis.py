@@ -66,7 +66,7 @@ def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
         new_work(n, half_bandwidth(setup, start)),
         new_history(ROWS, n),
         Tolerance(
-            1e-8, 1e-3, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), BUDGET
+            1e-9, 1e-3, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), BUDGET
         ),
     )
     return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)

@@ -2,7 +2,7 @@
 
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
 from ptbatch.core.beam import beam_forces, beam_tangent
-from ptbatch.core.contact import GROUTED, HELD, UNKNOWN, contact_forces, project, segment
+from ptbatch.core.contact import GROUTED, HELD, UNKNOWN, as_it_moves, contact_forces, project, segment
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
@@ -155,7 +155,7 @@ def add_ends(model, state, u, ends, work):
 
 
 @kernel
-def internal_forces(model, state, u, ends, bonded, work):
+def internal_forces(model, state, u, ends, bonded, frozen, work):
     """work.f at u, on the duct segments found by the last search: the cheap path of the line search."""
     n = model.x.size - 1
     place_tendon(model, u, work)
@@ -189,7 +189,7 @@ def internal_forces(model, state, u, ends, bonded, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
-            GROUTED if bonded else UNKNOWN,
+            GROUTED if bonded else as_it_moves(work.motion[j]) if frozen else UNKNOWN,
             seg,
             model.contact,
             work.f8,

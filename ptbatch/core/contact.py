@@ -134,6 +134,14 @@ def friction(slip, rub, N, T, rough, was, c):
 
 
 @kernel
+def as_it_moves(motion):
+    """The `was` that lets a node go on as it moves, whatever its trial force says."""
+    if motion == FORWARD:
+        return EXPECTED_FORWARD
+    return EXPECTED_BACKWARD if motion == BACKWARD else GROUTED
+
+
+@kernel
 def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, was, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s, motion).
 
@@ -158,7 +166,8 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
     by = q[11] - q[1]
     la = root(ax * ax + ay * ay)
     lb = root(bx * bx + by * by)
-    tension = 0.5 * (T3 + slope3 * (la - length3) + T4 + slope4 * (lb - length4))
+    T3 = T3 + slope3 * (la - length3)
+    T4 = T4 + slope4 * (lb - length4)
     if c.corrected:  # t' across the bisector: eqs (16)-(20) without their singular cases
         ux = ax / la + bx / lb
         uy = ay / la + by / lb
@@ -171,8 +180,11 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
         uy = ty
         N = P
     s = seg.s + xi_c * seg.ds
-    size = N if N.real >= 0.0 else -N
-    Tt, motion = friction(s - s0, rub, size, tension, rough, was, c)
+    # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing, and
+    # its sign with it; what the tendon's own kink presses does not.
+    press = T4 * (by * ux - bx * uy) / lb - T3 * (ay * ux - ax * uy) / la
+    press = press if press.real >= 0.0 else -press
+    Tt, motion = friction(s - s0, rub, press, 0.5 * (T3 + T4), rough, was, c)
     fx = Tt * ux - N * uy
     fy = Tt * uy + N * ux
     f[0] = fx

@@ -21,7 +21,7 @@ from ptbatch.core.model import beam_dof, tendon_dof
 @kernel
 def imbalance(case, target, factor):
     """Largest relative imbalance of the trial."""
-    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, case.work)
+    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, False, case.work)
     on_beam(case, target, factor)
     worst = max(along_beam(case), along_tendon(case, target.bonded))
     return worst if np.isfinite(worst) else np.inf

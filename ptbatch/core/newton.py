@@ -12,6 +12,7 @@ from ptbatch.core.model import PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
+NONE, FREE, FROZEN = range(3)  # searching along a step
 PATIENCE = 6  # iterations in which an undamped way must bring its residual down
 
 
@@ -23,7 +24,7 @@ class Way(NamedTuple):
     most: int  # iterations
     damping: float
     decay: float
-    search: bool
+    search: int
 
 
 @kernel
@@ -88,36 +89,36 @@ def hold(model, work):
 
 
 @kernel
-def move(eta, case, target, factor):
+def move(eta, case, target, factor, frozen):
     """Go to eta along the step; what is left of its work there."""
     work = case.work
     for i in range(work.trial.size):
         work.trial[i] = work.before[i] + eta * work.du[i]
-    internal_forces(case.model, case.state, work.trial, case.ends, target.bonded, work)
+    internal_forces(case.model, case.state, work.trial, case.ends, target.bonded, frozen, work)
     unbalance(case, target, factor)
     return power_of_step(case)
 
 
 @kernel
-def line_search(case, target, factor, dfactor):
+def line_search(case, target, factor, dfactor, frozen):
     """The share eta of the step to take: the whole where that lowers the work or the residual, else a zero of
     the work (Illinois)."""
     start = power_of_step(case)
     norm = residual_norm(case)
     case.work.before[:] = case.work.trial
     eta = 1.0
-    g = move(eta, case, target, factor + eta * dfactor)
+    g = move(eta, case, target, factor + eta * dfactor, frozen)
     for _ in range(8):
         if np.isfinite(g):
             break
         eta *= 0.25
-        g = move(eta, case, target, factor + eta * dfactor)
+        g = move(eta, case, target, factor + eta * dfactor, frozen)
     if abs(g) <= 0.8 * abs(start) or g * start > 0.0 or residual_norm(case) <= 0.9 * norm:
         return eta
     low, g_low, high, g_high = 0.0, start, eta, g
     for _ in range(12):
         eta = (low * g_high - high * g_low) / (g_high - g_low)
-        g = move(eta, case, target, factor + eta * dfactor)
+        g = move(eta, case, target, factor + eta * dfactor, frozen)
         if abs(g) <= 0.5 * abs(start):
             break
         if g * g_high < 0.0:
@@ -162,7 +163,7 @@ def equilibrate(case, target, factor, way):
     improved = 0
     damping = way.damping
     for iteration in range(way.most):
-        if way.search:
+        if way.search == FREE:
             work.motion[:] = UNKNOWN
         tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)
         unbalance(case, target, factor)
@@ -180,8 +181,8 @@ def equilibrate(case, target, factor, way):
         if not solved:
             return SINGULAR, factor, iteration, norm
         damping *= way.decay
-        if way.search and iteration > 0:  # from equilibrium the first step has no work to search along
-            factor += dfactor * line_search(case, target, factor, dfactor)
+        if way.search != NONE and iteration > 0:  # from equilibrium the first step has no work to search along
+            factor += dfactor * line_search(case, target, factor, dfactor, way.search == FROZEN)
         else:
             work.trial[:] += work.du
             factor += dfactor

@@ -4,17 +4,17 @@ import numpy as np
 
 from ptbatch.core.history import commit, record, rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.newton import CONVERGED, Way, equilibrate
+from ptbatch.core.newton import CONVERGED, FREE, FROZEN, NONE, Way, equilibrate
 from ptbatch.core.equilibrium import imbalance
 
 # What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may leave
 # no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps are for
 # friction that turns round everywhere.
 WAYS = (
-    Way(20, 0.0, 1.0, False),
-    Way(25, 0.1, 0.6, False),
-    Way(30, 0.0, 1.0, True),
-    Way(60, 0.3, 0.8, False),
+    Way(20, 0.0, 1.0, NONE),
+    Way(25, 0.1, 0.6, NONE),
+    Way(30, 0.0, 1.0, FREE),
+    Way(60, 0.3, 0.8, NONE),
 )
 SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
 UNBALANCED = 4  # and: the iteration converged to what statics does not confirm
