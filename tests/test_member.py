@@ -6,7 +6,7 @@ from math import sqrt
 import numpy as np
 import pytest
 
-from ptbatch.geometry.profile import tendon_profile
+from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Bar, Load, Member, MemberError
 from ptbatch.validation import TABLES, member_faults
 from ptbatch.workbook.columns import MEMBERS
@@ -201,6 +201,6 @@ def test_bars_and_loads_along_the_member():
 def test_tendon_stays_between_its_given_depths(profile):
     """The rule that looks at the given depths alone is enough."""
     member = Member(**TWO, profile=profile)
-    depth = tendon_profile(member).depth(np.linspace(0, member.total_length, 2001))
+    depth = ideal_profile(member).depth(np.linspace(0, member.total_length, 2001))
     assert min(member.dp) - 1e-9 <= depth.min()
     assert depth.max() <= max(member.dp) + 1e-9
