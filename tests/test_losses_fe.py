@@ -87,6 +87,20 @@ def test_frictionless_tendon_is_uniform_with_the_correction_and_not_without(valu
     assert spread[False] >= 1e-5  # nodes near mid-segment hide most of what is wrong
 
 
+@pytest.mark.parametrize("elements", [10, 20, 40])
+def test_a_polygon_turns_by_less_and_rubs_as_much(elements):
+    """Closed form: n equal segments turn from slope to slope, (8 e / L)(n - 1)/n; the half segments at the
+    ends, which have no corner, are hidden angle."""
+    run = jacked(IMAGINARY_RIGID | dict(sheathing="polygon", elements=elements))
+    chord = run.rig.case.work.chord
+    turned = np.abs(np.diff(np.arctan2(chord[:, 1], chord[:, 0]))).sum()
+    steepest = 4.0 * 279.0 / 15200.0 * (elements - 1) / elements
+    assert turned == pytest.approx(2.0 * np.arctan(steepest), rel=1e-4)
+    assert run.rig.case.work.half_tan == pytest.approx(0.0, abs=1e-4)
+    loss = 1.0 - stations(run, JACKING)[1][-1] / run.fpj
+    assert loss == pytest.approx(1.0 - np.exp(-0.3 * run.setup.ideal.total_angle), rel=1e-4)
+
+
 @pytest.mark.parametrize(
     ("h", "wedge_set", "at_jack", "at_end"),
     [(14, 1.27, 5.5, 8.2), (22, 1.27, 6.3, 11.5), (14, 3.18, 9.5, 8.2), (22, 3.18, 10.5, 11.5)],
