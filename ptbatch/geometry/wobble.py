@@ -68,9 +68,9 @@ class Stretch:
     def half_waves(self) -> Array:
         """Lengths of its half waves [mm], one more than its crests.
 
-        Those between crests are x times as long as the first and the last and rise x^2 times as far. A mean
-        of zero asks for (crests - 1) x (x^2 - 2) = 2: the square root of 2 for many crests, the golden ratio
-        for three.
+        Those between crests are r times as long as the first and the last, and rise r^2 times as far. A mean
+        of zero asks for (crests - 1) r (r^2 - 2) = 2: the golden ratio for three crests, towards the root of
+        2 for many. A single crest has a mean.
         """
         wanted = self.length / (HALF_WAVE * self.element)
         crests = 1 + 2 * max(0, round(0.5 * (wanted - np.sqrt(2.0))))

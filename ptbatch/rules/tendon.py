@@ -7,6 +7,8 @@ from ptbatch.geometry.profile import ideal_profile
 from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.rules.fault import Fault, Rule, Values, counted, rule
 
+PATH = ("span", "profile", "dp", "profile_points", "h", "inflection", "harp")
+
 
 @rule("span", "profile", "dp", "profile_points")
 def depths_counted(v: Values) -> Iterator[Fault]:
@@ -84,9 +86,6 @@ def _below_fpu(name: str) -> Rule:
             yield Fault(name, v[name], wrong, "give a stress below fpu; check the unit in the header")
 
     return below
-
-
-PATH = ("span", "profile", "dp", "profile_points", "h", "inflection", "harp")
 
 
 def path_is_sound(v: Values) -> bool:

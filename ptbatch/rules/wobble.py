@@ -38,8 +38,8 @@ def waves_resolved(v: Values) -> Iterator[Fault]:
     part = min(parts, key=lambda part: part.length / part.element)
     needed = ceil((FEWEST - 1e-9) * v["elements"] * part.element / part.length)
     if needed > v["elements"]:
-        place = f"the part of the profile from x = {part.start:g} to {part.stop:g} mm"
-        wrong = f"too few for waves on {place}, which has {part.length / part.element:.2g} elements"
+        place = f"x = {part.start:g} to {part.stop:g} mm, {part.length / part.element:.1f} elements"
+        wrong = f"too few for waves on the part of the profile from {place}"
         yield Fault("elements", v["elements"], wrong, f"give at least {needed}, or {DIRECT}")
 
 
