@@ -131,9 +131,13 @@ def specimens() -> list[Row]:
     )
     beams = {"Specimen 1": first, "Specimen 2": second}
     sets = {"no set": 0, "set 0.05 in": 0.05, "set 0.125 in": 0.125}
+    as_waves = {"set [in]": 0.125, "wobble": "sine", "note": f"{source} Wobble as waves, as in the paper."}
     return [
-        {"member": f"{name}, {told}", **beam, "set [in]": wedge_set, "note": source}
-        for (name, beam), (told, wedge_set) in product(beams.items(), sets.items())
+        *(
+            {"member": f"{name}, {told}", **beam, "set [in]": wedge_set, "note": source}
+            for (name, beam), (told, wedge_set) in product(beams.items(), sets.items())
+        ),
+        *({"member": f"{name}, wobble as waves", **beam, **as_waves} for name, beam in beams.items()),
     ]
 
 

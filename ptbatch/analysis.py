@@ -32,32 +32,31 @@ class Run:
     fpj: float
 
 
-def analyse(member: Member, *, smooth: bool = True, corrected: bool = True, refine: int = 1) -> Response:
+def analyse(member: Member, *, refine: int = 1) -> Response:
     """Analyse a member through all four stages.
 
-    smooth: the duct is the profile itself rather than the polygon between beam nodes. corrected: the contact
-    force follows the bisector of the tendon. refine: divide the steps of the live load by this. A member that
-    does not converge raises nothing: see Response.status.
+    refine: divide the steps of the live load by this. A member that does not converge raises nothing: see
+    Response.status.
     """
-    setup = set_up(member, smooth)
-    run = prepare(setup, jacking_stress(setup), corrected)
+    setup = set_up(member)
+    run = prepare(setup, jacking_stress(setup))
     try:
         stress(run)
         if member.fpe is not None:
-            run = stress_to_mean(run, member.fpe, corrected)
+            run = stress_to_mean(run, member.fpe)
         ended = serve(run, refine)
     except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none))
     return finished(run, ended)
 
 
-def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
+def prepare(setup: Setup, fpj: float) -> Run:
     """A member with its tendon slack in the duct, placed for the jacking stress."""
     member = setup.member
     losses = analytic_losses(
-        setup.profile, fpj, member.mu, member.K, member.Ep, member.set, member.jack, reversal="mirror"
+        setup.ideal, fpj, member.mu, member.K, member.Ep, member.set, member.jack, reversal="mirror"
     )
-    arrays, state, ends, start = model(setup, losses, corrected)
+    arrays, state, ends, start = model(setup, losses)
     n = len(setup.mesh.x) - 1
     case = Case(
         arrays,
@@ -86,10 +85,10 @@ def jacking_stress(setup: Setup) -> float:
     if member.fpe is None:
         assert member.fpj is not None  # a Member has exactly one of the two
         return member.fpj
-    return fpj_for_mean(setup.profile, member.fpe, member.mu, member.K, member.Ep, member.set, member.jack)
+    return fpj_for_mean(setup.ideal, member.fpe, member.mu, member.K, member.Ep, member.set, member.jack)
 
 
-def stress_to_mean(run: Run, wanted: float, corrected: bool) -> Run:
+def stress_to_mean(run: Run, wanted: float) -> Run:
     """Repeat stages 1 to 3 with the jacking stress moved (secant) until the mean stress after anchoring is
     as `wanted`."""
     before = 0.0, 0.0  # no jacking stress, no mean stress
@@ -99,7 +98,7 @@ def stress_to_mean(run: Run, wanted: float, corrected: bool) -> Run:
             break
         fpj = run.fpj + (wanted - mean) * (run.fpj - before[0]) / (mean - before[1])
         before = run.fpj, mean
-        run = prepare(run.setup, fpj, corrected)
+        run = prepare(run.setup, fpj)
         stress(run)
     return run
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
-from ptbatch.geometry.profile import GAUSS_POINTS, GAUSS_WEIGHTS, Array
+from ptbatch.geometry.curve import GAUSS_POINTS, GAUSS_WEIGHTS, Array
 
 End = Literal["left", "right"]
 Reversal = Literal["friction", "mirror"]

@@ -67,6 +67,8 @@ class Member:
     mu: float
     K: float  # 1/mm
     wobble: str
+    sheathing: str
+    correction: bool
     bond: str
     As: tuple[float, ...]
     ds: tuple[float, ...]

@@ -39,19 +39,19 @@ def specimen(h: float, wedge_set: float) -> dict:
     )  # fmt: skip
 
 
-def jacked(values: dict, corrected: bool = True, smooth: bool = True) -> Run:
+def jacked(values: dict) -> Run:
     """The member after stage 1."""
-    setup = set_up(Member(**values), smooth)
-    run = prepare(setup, setup.member.fpj, corrected)
+    setup = set_up(Member(**values))
+    run = prepare(setup, setup.member.fpj)
     way = setup.member.set - run.start.gap[RIGHT]
     jack(run.rig, run.fpj * setup.member.Aps, way, setup.self_weight)
     return run
 
 
-def anchored(values: dict, **options: bool) -> Run:
+def anchored(values: dict) -> Run:
     """The member after stage 3."""
-    setup = set_up(Member(**values), options.get("smooth", True))
-    run = prepare(setup, setup.member.fpj, options.get("corrected", True))
+    setup = set_up(Member(**values))
+    run = prepare(setup, setup.member.fpj)
     stress(run)
     return run
 
@@ -83,7 +83,7 @@ def stations(run: Run, stage: int) -> tuple[np.ndarray, np.ndarray]:
 def closed_form(run: Run, reversal: str = "friction"):
     """Analytic losses of the same member."""
     m = run.setup.member
-    return analytic_losses(run.setup.profile, m.fpj, m.mu, m.K, m.Ep, m.set, m.jack, reversal)
+    return analytic_losses(run.setup.ideal, m.fpj, m.mu, m.K, m.Ep, m.set, m.jack, reversal)
 
 
 # A little of everything: bars, friction, wobble, a bent tendon; for tests of elements and their assembly

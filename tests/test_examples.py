@@ -56,6 +56,8 @@ def test_every_row_passes(results):
         ("Specimen 1, set 0.125 in", 9.5, 8.2),
         ("Specimen 2, set 0.05 in", 6.3, 11.5),
         ("Specimen 2, set 0.125 in", 10.5, 11.5),
+        ("Specimen 1, wobble as waves", 9.5, 8.2),
+        ("Specimen 2, wobble as waves", 10.5, 11.5),
         ("Specimen 1, no set", 0.0, 8.2),
         ("Specimen 2, no set", 0.0, 11.5),
     ],

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ptbatch.geometry.profile import Profile, tendon_profile
+from ptbatch.geometry.curve import Profile
+from ptbatch.geometry.profile import ideal_profile
 from ptbatch.losses import Losses, analytic_losses, fpj_for_mean
 
 KSI = 6.894757293168
@@ -15,7 +16,7 @@ INCH, FOOT = 25.4, 304.8
 
 
 def profile(span, dp, shape="parabola", inflection=0.1) -> Profile:
-    return tendon_profile(
+    return ideal_profile(
         SimpleNamespace(
             span=span, profile=shape, dp=dp, harp=(0.3, 0.6), inflection=inflection, profile_points=()
         )

@@ -67,7 +67,7 @@ def test_wobble_alone_acts_on_a_straight_tendon():
 
 
 FRICTIONLESS = dict(mu=0.0, K=0.0)
-any_duct = pytest.mark.parametrize("smooth", [True, False], ids=["smooth", "polygon"])
+any_duct = pytest.mark.parametrize("sheathing", ["smooth", "polygon"])
 any_tendon = pytest.mark.parametrize(
     "values",
     [TWENTY, TWENTY | dict(profile="harped"), specimen(22, 1.27) | RIGID, specimen(22, 1.27)],
@@ -77,13 +77,28 @@ any_tendon = pytest.mark.parametrize(
 
 @any_tendon
 @any_duct
-def test_frictionless_tendon_is_uniform_with_the_correction_and_not_without(values, smooth):
+def test_frictionless_tendon_is_uniform_with_the_correction_and_not_without(values, sheathing):
     spread = {}
-    for corrected in (True, False):
-        stress = stations(jacked(values | FRICTIONLESS, corrected, smooth), JACKING)[1]
-        spread[corrected] = np.ptp(stress) / stress.mean()
+    for correction in (True, False):
+        chosen = FRICTIONLESS | dict(sheathing=sheathing, correction=correction)
+        stress = stations(jacked(values | chosen), JACKING)[1]
+        spread[correction] = np.ptp(stress) / stress.mean()
     assert spread[True] <= 1e-8  # closed form: the solver's tolerance
     assert spread[False] >= 1e-5  # nodes near mid-segment hide most of what is wrong
+
+
+@pytest.mark.parametrize("elements", [10, 20, 40])
+def test_a_polygon_turns_by_less_and_rubs_as_much(elements):
+    """Closed form: n equal segments turn from slope to slope, (8 e / L)(n - 1)/n; the half segments at the
+    ends, which have no corner, are hidden angle."""
+    run = jacked(IMAGINARY_RIGID | dict(sheathing="polygon", elements=elements))
+    chord = run.rig.case.work.chord
+    turned = np.abs(np.diff(np.arctan2(chord[:, 1], chord[:, 0]))).sum()
+    steepest = 4.0 * 279.0 / 15200.0 * (elements - 1) / elements
+    assert turned == pytest.approx(2.0 * np.arctan(steepest), rel=1e-4)
+    assert run.rig.case.work.half_tan == pytest.approx(0.0, abs=1e-4)
+    loss = 1.0 - stations(run, JACKING)[1][-1] / run.fpj
+    assert loss == pytest.approx(1.0 - np.exp(-0.3 * run.setup.ideal.total_angle), rel=1e-4)
 
 
 @pytest.mark.parametrize(

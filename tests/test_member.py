@@ -6,7 +6,7 @@ from math import sqrt
 import numpy as np
 import pytest
 
-from ptbatch.geometry.profile import tendon_profile
+from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Bar, Load, Member, MemberError
 from ptbatch.validation import TABLES, member_faults
 from ptbatch.workbook.columns import MEMBERS
@@ -115,7 +115,10 @@ def test_each_value_by_itself(column, value, wrong):
         ({"hardening": 1.0}, "hardening", "not below Es"),
         ({"tension_end": 1.0}, "tension_end", "before the concrete cracks"),
         ({"K": 1e-6, "k_ec2": 1e-5}, "k_ec2", "both K and k_ec2"),
-        ({"wobble": "sine"}, "wobble", "not available yet"),
+        ({"wobble": "sine", "mu": 0}, "wobble", "without curvature friction"),
+        ({"wobble": "sine", "mu": 0.001}, "wobble", "waves steeper than 0.5"),
+        ({"wobble": "sine", "mu": 0.005}, "wobble", "outside the section"),
+        ({"wobble": "sine", "elements": 3}, "elements", "too few for waves"),
         ({"set": 90}, "set", "slack"),
         ({"fpj": None, "fpe": 1300, "set": 90}, "fpe", "above fpu"),
         ({"dp": (300, 500)}, "dp", "2 depths given; parabola over 1 span needs 3"),
@@ -201,6 +204,6 @@ def test_bars_and_loads_along_the_member():
 def test_tendon_stays_between_its_given_depths(profile):
     """The rule that looks at the given depths alone is enough."""
     member = Member(**TWO, profile=profile)
-    depth = tendon_profile(member).depth(np.linspace(0, member.total_length, 2001))
+    depth = ideal_profile(member).depth(np.linspace(0, member.total_length, 2001))
     assert min(member.dp) - 1e-9 <= depth.min()
     assert depth.max() <= max(member.dp) + 1e-9

@@ -1,128 +1,41 @@
-"""Tendon profile: depth, slope, arc length and turned angle along a member.
+"""Tendon profiles of members: the shape that is asked for, and the one with its wobble on it.
 
-A profile is a chain of straight and parabolic pieces. x runs to the right from the left end and depth is
-measured downwards from the top fibre, both in mm; angles are in radians.
+x runs to the right from the left end and depth is measured downwards from the top fibre, both in mm.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from itertools import accumulate
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
-from numpy.polynomial.legendre import leggauss
-from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
-Side = Literal["left", "right"]
-
-KINK = 1e-9  # rad; a smaller change of direction is round-off
-GAUSS_POINTS, GAUSS_WEIGHTS = (leggauss(20) + np.array([[1.0], [0.0]])) / 2.0  # on (0, 1)
-
-
-@dataclass(frozen=True, eq=False)
-class Profile:
-    """Piecewise quadratic tendon profile, continuous in depth.
-
-    breaks: shape (n + 1,), ends of the pieces [mm], strictly increasing (ValueError otherwise).
-    coefficients: shape (n, 3); depth = c0 + c1 t + c2 t^2 on each piece, t from the left end of the piece.
-
-    Every method takes x of any shape between the two ends and returns that shape. The profiles made by
-    `tendon_profile` only rise or only fall between two breaks, so `depth(breaks)` holds the extreme depths.
-    """
-
-    breaks: Array
-    coefficients: Array
-
-    def __post_init__(self) -> None:
-        if not np.all(np.diff(self.breaks) > 0.0):
-            raise ValueError(f"profile: x must increase from point to point, got {self.breaks.tolist()}")
-
-    def depth(self, x: ArrayLike) -> Array:
-        """Depth of the tendon below the top fibre [mm]."""
-        piece, t = self._locate(x)
-        c = self.coefficients[piece]
-        return c[..., 0] + t * (c[..., 1] + t * c[..., 2])
-
-    def slope(self, x: ArrayLike, side: Side = "right") -> Array:
-        """d depth / dx; at a kink that of the piece on the given side."""
-        piece, t = self._locate(x, side)
-        return self.coefficients[piece, 1] + 2.0 * self.coefficients[piece, 2] * t
-
-    def arc_length(self, x: ArrayLike) -> Array:
-        """Length of the tendon from its left end to x [mm]."""
-        piece, t = self._locate(x)
-        return self._lengths[piece] + self._piece_length(piece, t)
-
-    def angle(self, x: ArrayLike) -> Array:
-        """Sum of absolute changes of direction from the left end to x [rad].
-
-        The whole of a kink counts to the right of it, half of it at the kink itself.
-        """
-        piece, t = self._locate(x)
-        turned = np.abs(np.arctan(self.slope(x)) - self._directions[0][piece])
-        return self._angles[piece] + turned - 0.5 * self._kink_angles[piece] * (t == 0.0)
-
-    @cached_property
-    def length(self) -> float:
-        """Arc length of the whole tendon [mm]."""
-        return float(self.arc_length(self.breaks[-1]))
-
-    @cached_property
-    def total_angle(self) -> float:
-        """Angle turned over the whole tendon [rad]."""
-        return float(self.angle(self.breaks[-1]))
-
-    @cached_property
-    def kinks(self) -> Array:
-        """x of the points where the slope jumps [mm]."""
-        return self.breaks[:-1][self._kink_angles > KINK]
-
-    def _locate(self, x: ArrayLike, side: Side = "right") -> tuple[NDArray[np.intp], Array]:
-        """Piece that x lies in and distance from its left end; at a break the piece on the given side."""
-        x = np.asarray(x, dtype=float)
-        piece = np.clip(np.searchsorted(self.breaks, x, side=side) - 1, 0, len(self.coefficients) - 1)
-        return piece, x - self.breaks[piece]
-
-    def _piece_length(self, piece: NDArray[np.intp], t: Array) -> Array:
-        """Arc length of the first t of each piece; 20 points are exact to round-off on so smooth a curve."""
-        c = self.coefficients[piece][..., None]
-        slopes = c[..., 1, :] + 2.0 * c[..., 2, :] * t[..., None] * GAUSS_POINTS
-        return t * (np.hypot(1.0, slopes) @ GAUSS_WEIGHTS)
-
-    @cached_property
-    def _directions(self) -> tuple[Array, Array]:
-        """Direction [rad] at the start and at the end of each piece."""
-        _, c1, c2 = self.coefficients.T
-        return np.arctan(c1), np.arctan(c1 + 2.0 * c2 * np.diff(self.breaks))
-
-    @cached_property
-    def _kink_angles(self) -> Array:
-        """Change of direction at the start of each piece; none at the left end."""
-        start, end = self._directions
-        return np.append(0.0, np.abs(start[1:] - end[:-1]))
-
-    @cached_property
-    def _angles(self) -> Array:
-        """Angle turned up to the start of each piece, the kink there included."""
-        start, end = self._directions
-        return np.cumsum(self._kink_angles) + np.append(0.0, np.cumsum(np.abs(end - start))[:-1])
-
-    @cached_property
-    def _lengths(self) -> Array:
-        """Arc length up to the start of each piece."""
-        pieces = self._piece_length(np.arange(len(self.coefficients)), np.diff(self.breaks))
-        return np.append(0.0, np.cumsum(pieces)[:-1])
+from ptbatch.geometry.curve import Profile
+from ptbatch.geometry.wobble import wavy_profile
 
 
 def tendon_profile(member: Any) -> Profile:
-    """Profile of a member's tendon.
+    """Profile that a member's tendon has in the analysis: the ideal one or, with wobble = sine, that with
+    waves on it which turn by K / mu per length.
+
+    member: as for `ideal_profile`, and wobble, mu [1/rad], K [1/mm] and elements. Raises ValueError where
+    `ideal_profile` does, and if no waves can turn so much.
+    """
+    ideal = ideal_profile(member)
+    if member.wobble != "sine" or member.K == 0.0:
+        return ideal
+    if member.mu == 0.0:
+        raise ValueError("wobble: without curvature friction mu no waves make the friction of K")
+    return wavy_profile(ideal, member.span, member.elements, member.K / member.mu)
+
+
+def ideal_profile(member: Any) -> Profile:
+    """Profile as it is drawn, without wobble: the one that eq. (38) is applied to.
 
     member: anything with span, profile, dp, harp, inflection and profile_points as in the workbook, in mm;
-    points, where there are any, take the place of the named shape. Raises ValueError if the shape is unknown,
-    the number of depths does not fit the spans, or the points do not run from one end of the member to the
-    other.
+    points, where there are any, take the place of the named shape. Between two breaks the tendon only rises
+    or only falls, so that `depth(breaks)` holds its extreme depths. Raises ValueError if the shape is
+    unknown, the number of depths does not fit the spans, or the points do not run from one end of the member
+    to the other.
     """
     if member.profile_points:
         return _through_points(member)

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
 from ptbatch.core.model import Contact, Ends, Model, State
-from ptbatch.geometry.profile import Profile, tendon_profile
+from ptbatch.geometry.curve import Profile
+from ptbatch.geometry.profile import ideal_profile, tendon_profile
 from ptbatch.geometry.section import gross_section
 from ptbatch.losses import Losses
 from ptbatch.member import Member
@@ -24,10 +25,14 @@ ANCHORAGE = 10.0  # times the contact penalty
 @dataclass(frozen=True)
 class Setup:
     """What does not depend on the jacking stress: geometry, mesh and loads of a member. Load vectors are
-    (ndof,)."""
+    (ndof,).
+
+    profile: what the analysis works on. ideal: without waves for wobble, what eq. (38) is applied to.
+    """
 
     member: Member
     profile: Profile
+    ideal: Profile
     mesh: Mesh
     duct: Duct
     live: tuple[bool, bool]
@@ -37,7 +42,7 @@ class Setup:
     live_total: float
 
 
-def set_up(member: Member, smooth: bool = True) -> Setup:
+def set_up(member: Member) -> Setup:
     """Set a member up."""
     profile = tendon_profile(member)
     grid = mesh(member)
@@ -45,8 +50,9 @@ def set_up(member: Member, smooth: bool = True) -> Setup:
     return Setup(
         member,
         profile,
+        ideal_profile(member),
         grid,
-        duct(profile, grid.x, gross_section(member).centroid, smooth),
+        duct(profile, grid.x, gross_section(member).centroid, member.sheathing),
         (member.jack in ("left", "both"), member.jack in ("right", "both")),
         load_vector(grid.x, loading.self_weight(member)),
         load_vector(grid.x, loading.sustained(member)),
@@ -65,15 +71,14 @@ def load_vector(x: Array, loads: list) -> Array:
     return vector
 
 
-def model(setup: Setup, losses: Losses, corrected: bool = True) -> tuple[Model, State, Ends, TendonStart]:
+def model(setup: Setup, losses: Losses) -> tuple[Model, State, Ends, TendonStart]:
     """Arrays of a member whose tendon is placed for the stresses of `losses`."""
     member, line, x = setup.member, setup.duct, setup.mesh.x
     n = len(x) - 1
     section = gross_section(member)
     bar_y, bar_area, bar_fy = _bars(member, x, section.centroid)
     start = tendon_start(line, setup.profile, losses, setup.live, member.Ep)
-    stations, turned, direction = turning_tables(setup.profile, x)
-    stiff = materials.penalty(member, member.total_length / n)
+    stations, turned, direction = turning_tables(setup.profile, line)
     arrays = Model(
         x,
         section.centroid - section.y,
@@ -95,10 +100,17 @@ def model(setup: Setup, losses: Losses, corrected: bool = True) -> tuple[Model, 
         materials.concrete(member),
         materials.steel(member),
         materials.strand(member),
-        Contact(stiff, stiff, ANCHORAGE * stiff, float(member.mu), float(member.K), line.smooth, corrected),
+        _contact(member, materials.penalty(member, member.total_length / n)),
     )
     ends = Ends(np.zeros(2, np.int64), np.zeros(2), np.zeros(2))
     return arrays, _initial_state(arrays, start, setup.live), ends, start
+
+
+def _contact(member: Member, stiff: float) -> Contact:
+    """How tendon and duct hold each other; waves for wobble take the place of K."""
+    K = 0.0 if member.wobble == "sine" else float(member.K)
+    smooth = member.sheathing == "smooth"
+    return Contact(stiff, stiff, ANCHORAGE * stiff, float(member.mu), K, smooth, member.correction)
 
 
 def _bars(member: Member, x: Array, centroid: float) -> tuple[Array, Array, Array]:

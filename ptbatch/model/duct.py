@@ -1,67 +1,89 @@
 """The duct and the tendon at rest: heights, directions and arc length at the beam nodes, where the tendon
 nodes start."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.core.contact import shape
-from ptbatch.geometry.profile import GAUSS_POINTS, GAUSS_WEIGHTS, Profile
+from ptbatch.geometry.curve import GAUSS_POINTS, GAUSS_WEIGHTS, Profile
 from ptbatch.losses import Losses
 
 Array = NDArray[np.float64]
 
+NEAR = 1e-9  # of the member: stations nearer to each other are one
+
 
 @dataclass(frozen=True)
 class Duct:
-    """Duct above the reference axis: y, s (n+1,), slope (n, 2) at the ends of each segment, x (n+1,)."""
+    """Duct above the reference axis: y, s (n+1,), slope (n, 2) at the ends of each segment, x (n+1,).
+
+    Between two nodes it is the cubic with these heights and slopes: the profile itself, or a straight line.
+    """
 
     x: Array
     y: Array
     slope: Array
     s: Array
-    smooth: bool
 
     def point(self, s: Array) -> tuple[Array, NDArray[np.int64]]:
         """(x, y) of the duct as the kernels see it, at arc lengths s, and the segments they lie in."""
-        m = np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.x) - 2)
+        m = self._segment(self.s, s)
+        xi = (s - self.s[m]) / np.diff(self.s)[m]
+        return np.column_stack([self.x[m] + xi * np.diff(self.x)[m], self._weighted(0, m, xi)]), m
+
+    def direction(self, x: Array) -> Array:
+        """Direction [rad] of the duct as the kernels see it, at x."""
+        m = self._segment(self.x, x)
         h = np.diff(self.x)[m]
-        weights = shape.py_func(  # type: ignore[attr-defined]
-            (s - self.s[m]) / np.diff(self.s)[m], self.smooth
-        )[0]
-        along = self.x[m], h, self.x[m + 1], h
-        up = self.y[m], h * self.slope[m, 0], self.y[m + 1], h * self.slope[m, 1]
-        x, y = (sum(w * p for w, p in zip(weights, points, strict=True)) for points in (along, up))
-        return np.column_stack([x, y]), m
+        return np.arctan(self._weighted(1, m, (x - self.x[m]) / h) / h)
+
+    def _segment(self, nodes: Array, at: Array) -> NDArray[np.int64]:
+        return np.clip(np.searchsorted(nodes, at, side="right") - 1, 0, len(self.x) - 2)
+
+    def _weighted(self, derivative: int, m: NDArray[np.int64], xi: Array) -> Array:
+        """Height in segments m at xi, or its derivative by xi."""
+        h = np.diff(self.x)[m]
+        w = shape.py_func(xi, True)[derivative]  # type: ignore[attr-defined]
+        y, slope = (self.y[m], self.y[m + 1]), (h * self.slope[m, 0], h * self.slope[m, 1])
+        return np.asarray(w[0] * y[0] + w[1] * slope[0] + w[2] * y[1] + w[3] * slope[1])
 
 
-def duct(profile: Profile, x: Array, centroid: float, smooth: bool) -> Duct:
+def duct(profile: Profile, x: Array, centroid: float, sheathing: str) -> Duct:
     """Duct through the profile at the beam nodes x; depths are measured from the top, heights from the
-    centroid."""
-    slope = -np.column_stack([profile.slope(x[:-1], "right"), profile.slope(x[1:], "left")])
-    return Duct(x, centroid - profile.depth(x), slope, profile.arc_length(x), smooth)
+    centroid.
 
-
-def turning_tables(profile: Profile, x: Array) -> tuple[Array, Array, Array]:
-    """Arc-length stations (t,) at nodes and breaks, and there the first integrals over arc length of the
-    absolute angle and of the signed direction, each as (t, 3): value, slope to the right, slope to the left.
+    sheathing: `smooth`, or `polygon` for the paper's straight segments between the nodes.
     """
-    at = np.unique(np.concatenate([x, profile.breaks]))
-    at = at[np.append(True, np.diff(at) > 1e-9 * at[-1])]
+    y = centroid - profile.depth(x)
+    slope = -np.column_stack([profile.slope(x[:-1], "right"), profile.slope(x[1:], "left")])
+    if sheathing == "polygon":
+        slope[:] = (np.diff(y) / np.diff(x))[:, None]
+    return Duct(x, y, slope, profile.arc_length(x))
+
+
+def turning_tables(profile: Profile, line: Duct) -> tuple[Array, Array, Array]:
+    """Arc-length stations (t,) at nodes and breaks, and there the first integrals over arc length of the
+    absolute angle of the profile and of the signed direction of the duct, each as (t, 3): value, slope to the
+    right, slope to the left.
+
+    What the duct leaves out of the profile's angle, a polygon or one with coarse nodes, is hidden angle too.
+    """
+    near = NEAR * line.x[-1]
+    at = np.unique(np.concatenate([line.x, profile.breaks]))
+    at = at[np.append(True, np.diff(at) > near)]
+    right, left = np.minimum(at + near, at[-1]), np.maximum(at - near, at[0])
     width = np.diff(at)[:, None]
     inside = at[:-1, None] + width * GAUSS_POINTS
     ds = width * np.hypot(1.0, profile.slope(inside)) * GAUSS_WEIGHTS
-    right, left = np.arctan(profile.slope(at, "right")), np.arctan(profile.slope(at, "left"))
-    kink = np.abs(right - left)
-    angle = profile.angle(at)
 
-    def table(integrand: Array, after: Array, before: Array) -> Array:
-        return np.column_stack([np.append(0.0, np.cumsum((integrand * ds).sum(axis=1))), after, before])
+    def table(integrand: Callable[[Array], Array]) -> Array:
+        integral = np.cumsum((integrand(inside) * ds).sum(axis=1))
+        return np.column_stack([np.append(0.0, integral), integrand(right), integrand(left)])
 
-    turned = table(profile.angle(inside), angle + 0.5 * kink, angle - 0.5 * kink)
-    direction = table(np.arctan(profile.slope(inside)), right, left)
-    return profile.arc_length(at), turned, direction
+    return profile.arc_length(at), table(profile.angle), table(line.direction)
 
 
 @dataclass(frozen=True)

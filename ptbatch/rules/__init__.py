@@ -1,6 +1,6 @@
 """Rules between the values of a member, by subject: each a small function from values to faults."""
 
-from ptbatch.rules import loads, materials, section, supports, tendon
+from ptbatch.rules import loads, materials, section, supports, tendon, wobble
 from ptbatch.rules.fault import Rule
 
 RULES: tuple[Rule, ...] = (
@@ -8,6 +8,7 @@ RULES: tuple[Rule, ...] = (
     *section.RULES,
     *materials.RULES,
     *tendon.RULES,
+    *wobble.RULES,
     *loads.RULES,
 )
 WARNINGS: tuple[Rule, ...] = (*supports.WARNINGS, *section.WARNINGS, *loads.WARNINGS)

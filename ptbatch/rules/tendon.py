@@ -1,11 +1,13 @@
-"""The tendon: its path inside the section, its stress, friction given once."""
+"""The tendon: its path inside the section, its stress."""
 
 from collections.abc import Iterator
 from types import SimpleNamespace
 
-from ptbatch.geometry.profile import tendon_profile
+from ptbatch.geometry.profile import ideal_profile
 from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.rules.fault import Fault, Rule, Values, counted, rule
+
+PATH = ("span", "profile", "dp", "profile_points", "h", "inflection", "harp")
 
 
 @rule("span", "profile", "dp", "profile_points")
@@ -86,34 +88,23 @@ def _below_fpu(name: str) -> Rule:
     return below
 
 
-@rule("k_ec2", "given")
-def wobble_given_once(v: Values) -> Iterator[Fault]:
-    """K or k_ec2."""
-    if "K" in v["given"]:
-        yield Fault("k_ec2", v["k_ec2"], "both K and k_ec2 are given", "leave one blank: K = mu k_ec2")
+def path_is_sound(v: Values) -> bool:
+    """Whether there is a path to ask more about, of values that hold all of `PATH`."""
+    rules = (depths_counted, harps_in_order, inflection_before_midspan, points_run_through, tendon_inside)
+    return not any(rule(v) for rule in rules)
 
 
-@rule("wobble")
-def wobble_is_direct(v: Values) -> Iterator[Fault]:
-    """The engine knows wobble as friction per length; a row that asks for the other form is not run as if
-    it did not."""
-    if v["wobble"] == "sine":
-        wrong = "wobble as a sine on the profile is not available yet"
-        yield Fault("wobble", "sine", wrong, "take wobble = direct: the same friction, per length of tendon")
-
-
-@rule("span", "profile", "h", "fpu", "set", "mu", "K", "Ep", "jack", "inflection", "harp")
+@rule(*PATH, "fpu", "set", "mu", "K", "Ep", "jack")
 def set_leaves_stress(v: Values) -> Iterator[Fault]:
     """Stress is left after the wedge set, and `fpe` can be reached without passing fpu at the jack.
 
     Asked only where the tendon is otherwise sound.
     """
-    sound = (depths_counted, harps_in_order, inflection_before_midspan, points_run_through, tendon_inside)
     wanted = v.get("fpe")
-    if "dp" not in v or any(rule(v) for rule in sound) or (wanted is None) == (v.get("fpj") is None):
+    if not path_is_sound(v) or (wanted is None) == (v.get("fpj") is None):
         return
     friction = v["mu"], v["K"], v["Ep"], v["set"], v["jack"]
-    path = tendon_profile(SimpleNamespace(**v))
+    path = ideal_profile(SimpleNamespace(**v))
     fpj: float = v["fpj"] if wanted is None else fpj_for_mean(path, wanted, *friction)
     if wanted is not None:
         if fpj > v["fpu"]:
@@ -136,7 +127,5 @@ RULES: tuple[Rule, ...] = (
     one_stress,
     _below_fpu("fpj"),
     _below_fpu("fpe"),
-    wobble_given_once,
-    wobble_is_direct,
     set_leaves_stress,
 )

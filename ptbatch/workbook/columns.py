@@ -173,10 +173,25 @@ MEMBERS = (
     ),
     Column(
         "wobble",
-        "direct: friction per length at the contact; sine: equivalent wavy profile",
+        "direct: friction per length at the contact; sine: waves on the profile that turn by K / mu per "
+        "length, in place of K",
         "choice",
         default="direct",
         choices=("direct", "sine"),
+    ),
+    Column(
+        "sheathing",
+        "smooth: the duct is the profile itself; polygon: straight segments between the beam nodes, whose "
+        "corners turn by less than the profile. Friction counts all of its angle either way",
+        "choice",
+        default="smooth",
+        choices=("smooth", "polygon"),
+    ),
+    Column(
+        "correction",
+        "contact force across the tendon rather than the duct; no: the stress strays even without friction",
+        "yesno",
+        default=True,
     ),
     Column(
         "bond",

@@ -48,8 +48,8 @@ LOADED = SMALL | {"w_dead": 45.0}
 STAGES = {
     "jacking, sliding": (lambda: jacked(SMALL), SLIDE, False),
     "jacking, sticking": (lambda: jacked(SMALL | STRAIGHT), STICK, False),
-    "polygon duct": (lambda: jacked(SMALL, smooth=False), SLIDE, False),
-    "uncorrected": (lambda: jacked(SMALL, corrected=False), SLIDE, False),
+    "polygon duct": (lambda: jacked(SMALL | {"sheathing": "polygon"}), SLIDE, False),
+    "uncorrected": (lambda: jacked(SMALL | {"correction": False}), SLIDE, False),
     "two live ends": (lambda: jacked(SMALL | {"jack": "both"}), SLIDE, False),
     "anchored": (lambda: anchored(SMALL | STRAIGHT), -SLIDE, False),
     "cracked": (lambda: sustained(LOADED), SLIDE, False),

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ptbatch.geometry.profile import Profile, tendon_profile
+from ptbatch.geometry.curve import Profile
+from ptbatch.geometry.profile import ideal_profile
 
 
 def profile(span, dp, shape="parabola", *, harp=(1 / 3, 2 / 3), inflection=0.1, points=()) -> Profile:
-    return tendon_profile(
+    return ideal_profile(
         SimpleNamespace(
             span=span, profile=shape, dp=dp, harp=harp, inflection=inflection, profile_points=points
         )
