@@ -91,10 +91,8 @@ def _states(
     at |= {} if peak == len(rows) - 1 else {END: int(rows[-1])}
     model, u = run.rig.case.model, run.rig.case.history.u
     cracks = cracks_at(model, u, list(at.values()), gross_section(run.setup.member).thickness)
-    return {
-        "tendon": tendon | {stage: _tendon_state(run, row) for stage, row in at.items() if stage not in tendon},
-        "cracks": dict(zip(at, cracks, strict=True)),
-    }
+    later = {stage: _tendon_state(run, row) for stage, row in at.items() if stage not in tendon}
+    return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 
 
 def _last_row(run: "Run", stage: int) -> int:

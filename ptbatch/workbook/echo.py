@@ -1,4 +1,4 @@
-"""The members of a run as they were analysed, every default filled in: sheets that can be read as input again.
+"""The members of a run as they were analysed, every default filled in: sheets that can be read as input.
 
 Headers stand in the program's SI units, and numbers are those that make the same member when they are read.
 """
