@@ -10,6 +10,7 @@ from ptbatch.errors import NothingToDrawError, OutputNameError
 from ptbatch.plots.missing import lack, missing
 from ptbatch.plots.output import save, target
 from ptbatch.plots.pages import figure_of, geometry_of, page_of
+from ptbatch.plots.sketch import sketch
 from ptbatch.workbook.inputs import read_inputs
 from ptbatch.workbook.stored import read_stored
 
@@ -42,17 +43,17 @@ def draw(results: Path, members: Sequence[str], figure: str = "all", output: Pat
 
 
 def draw_geometry(workbook: Path, members: Sequence[str], output: Path | None = None) -> Drawn:
-    """Draw elevation and section of members from an input workbook, before any analysis.
+    """Draw elevation and section of members from an input workbook, before any analysis; of an invalid row
+    too if its values allow it.
 
     Raises what `draw` raises.
     """
     rows = read_inputs(workbook).only(members).rows
-    lacking = [
-        f"{row.name} is invalid: {problem}" for row in rows if not row.member for problem in row.problems
-    ]
-    if all(row.member is None for row in rows):
+    lacking = [f"{row.name} is invalid: {text}" for row in rows if not row.member for text in row.problems]
+    sketches = [(row.name, row.member or sketch(row)) for row in rows]
+    pages = [(name, lambda member=member: geometry_of(member)) for name, member in sketches if member]
+    if not pages:
         raise NothingToDrawError("nothing to draw: " + "; ".join(lacking))
-    pages = [(row.name, lambda member=row.member: geometry_of(member)) for row in rows if row.member]
     return Drawn(_save_pages(workbook, pages, "geometry", output), lacking)
 
 

@@ -31,7 +31,7 @@ def draw_elevation(axes: Axes, member: Member) -> None:
         if loads:
             _load_row(axes, member, loads, top, ink)
             top += BAND
-    axes.set_ylim(1.2 * member.h, -(top + 0.06) * member.h)
+    axes.set_ylim(top=-(top + 0.06) * member.h)
     style.legend(axes, _key(member))
 
 
@@ -43,12 +43,13 @@ def draw_body(axes: Axes, member: Member) -> None:
         axes.plot([0.0, end], [depth, depth], color=style.GREY, linewidth=0.5)
     profile = tendon_profile(member)
     x = np.union1d(np.linspace(0.0, member.total_length, 801), profile.breaks)
-    axes.plot(x / 1e3, profile.depth(x), color=style.TENDON, linewidth=1.6, gid="tendon")
+    path = profile.depth(x)
+    axes.plot(x / 1e3, path, color=style.TENDON, linewidth=1.6, gid="tendon")
     _supports(axes, member)
     _anchors(axes, member, profile.depth([0.0, member.total_length]))
     style.along(axes, member.total_length)
     axes.grid(False)
-    axes.set_ylim(1.2 * h, -0.06 * h)
+    axes.set_ylim(max(1.2 * h, 1.05 * path.max()), -0.06 * h)  # also where the tendon lies too deep
     axes.set_ylabel("depth [mm]")
     axes.spines["left"].set_bounds(0.0, h)
     axes.set_yticks([tick for tick in axes.get_yticks() if 0.0 <= tick <= h])
@@ -141,10 +142,10 @@ def _key(member: Member) -> list[Line2D]:
 
 
 def told(loads: list[Load]) -> str:
-    """Loads in words: `10 kN/m`, `2 x 15 kN`."""
+    """Loads in words: `10 kN/m`, `2 × 15 kN`."""
     counts = Counter((load.type, load.value) for load in loads)
     words = []
     for (kind, value), count in counts.items():
         size = f"{value / 1e3:.4g} kN" if kind == "point" else f"{value:.4g} kN/m"
-        words.append(f"{count} x {size}" if count > 1 and kind == "point" else size)
+        words.append(f"{count} × {size}" if count > 1 and kind == "point" else size)
     return ", ".join(words)

@@ -117,6 +117,6 @@ def _outcome(stored: Stored) -> str:
         return reason(stored)
     text = f"peak {peak:.4g} kN" + (f" (load factor {factor:.3f})" if np.isfinite(factor) else "")
     x = stored.value("failure_x [mm]")
-    place = f" at x = {x / 1e3:.4g} m" if np.isfinite(x) else ""
+    place = f" at x = {x / 1e3:.2f} m" if np.isfinite(x) else ""
     message = stored.summary.get("message")
     return f"{text}; {stored.summary['failure']}{place}" + (f"; {message}" if message else "")

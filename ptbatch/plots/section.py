@@ -23,11 +23,13 @@ def draw_section(axes: Axes, member: Member) -> None:
     profile = tendon_profile(member)
     depths = profile.depth(profile.breaks)
     for depth, fill in ((depths.min(), "white"), (depths.max(), style.TENDON)):
-        axes.plot(0.0, depth, "o", color=style.TENDON, markerfacecolor=fill, markersize=6.5, gid="tendon")
+        x, _ = _concrete_at(member, depth)
+        look: dict[str, Any] = {"color": style.TENDON, "markerfacecolor": fill, "markersize": 6.5}
+        axes.plot(x, len(x) * [depth], "o", gid="tendon", **look)
     reach = max(member.b, member.b_bottom or 0.0) / 2.0
     axes.set_aspect("equal", adjustable="box")
     axes.set_xlim(-1.12 * reach, 1.12 * reach)
-    axes.set_ylim(1.06 * member.h, -0.06 * member.h)
+    axes.set_ylim(max(1.06 * member.h, 1.05 * depths.max()), -0.06 * member.h)
     axes.set_axis_off()
     _size(axes, f"{member.b:g}", (0.0, 0.0), (0, 4), "bottom", "center")
     _size(axes, f"{member.h:g}", (-reach, member.h / 2.0), (-4, 0), "center", "right")
@@ -66,16 +68,22 @@ def _closed(widths: list[tuple[float, float]]) -> Path:
 
 def _bar_row(axes: Axes, member: Member, depth: float, part: bool) -> None:
     """A row of dots for an area of bars, whose number nobody gave; hollow where they do not run through."""
-    width = _width_at(member, depth) * (1.0 - 2.0 * COVER)
-    x = np.linspace(-width / 2.0, width / 2.0, 4)
+    middles, width = _concrete_at(member, depth)
+    spread = np.linspace(COVER - 0.5, 0.5 - COVER, 4 // len(middles)) * width
+    x = np.add.outer(middles, spread).ravel()
     fill = "white" if part else style.BARS
-    axes.plot(x, 4 * [depth], "o", color=style.BARS, markerfacecolor=fill, markersize=3.2, gid="bars")
+    axes.plot(x, len(x) * [depth], "o", color=style.BARS, markerfacecolor=fill, markersize=3.2, gid="bars")
 
 
-def _width_at(member: Member, depth: float) -> float:
-    """Overall width of the section at a depth [mm]."""
+def _concrete_at(member: Member, depth: float) -> tuple[list[float], float]:
+    """Middles of the concrete at a depth, two where a box has its webs, and its width there [mm]."""
+    bottom = member.b_bottom or member.b
     if member.shape == "rectangle" or depth <= (member.hf or 0.0):
-        return member.b
+        return [0.0], member.b
     if member.shape != "tee" and depth >= member.h - (member.hf_bottom or 0.0):
-        return member.b_bottom or member.b
-    return min(member.b, member.b_bottom or member.b) if member.shape == "box" else member.bw or member.b
+        return [0.0], bottom
+    bw = member.bw or 0.0
+    if member.shape != "box":
+        return [0.0], bw
+    middle = min(member.b, bottom) / 2.0 - bw / 4.0
+    return [-middle, middle], bw / 2.0

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import Transform, offset_copy
@@ -27,8 +28,8 @@ INK, GREY, CONCRETE = "#222222", "#777777", "#ececea"
 TENDON, BARS, LIVE, DEAD = VERMILION, BLUE, INK, GREY
 
 LEGEND_BELOW = 32.0  # points below the axes: ticks and axis label are that high
-LETTERS_PER_INCH = 15.5  # of a legend
-LONGEST = 48  # text of a legend
+LETTERS_PER_INCH = 15.0  # of a legend
+LONGEST = 60  # text of a legend
 
 STAGES = {"jacked": GREY, "anchored": BLUE, "peak": VERMILION, "end": PURPLE}
 
@@ -71,12 +72,11 @@ def _figure(axes: Axes) -> Figure:
 
 
 def _columns(labels: Sequence[str], inches: float) -> int:
-    """Most columns that fit, each with its handle as wide as seven letters; filled one after the other."""
+    """Most columns that fit, each with its handle as wide as eight letters; too few rather than too many."""
     room = inches * LETTERS_PER_INCH
     for count in range(len(labels), 1, -1):
-        rows = -(-len(labels) // count)
-        columns = [labels[i : i + rows] for i in range(0, len(labels), rows)]
-        if sum(7 + max(map(len, column)) for column in columns) <= room:
+        columns = np.array_split([len(label) for label in labels], count)  # as a legend shares them out
+        if sum(8 + column.max() for column in columns) <= room:
             return count
     return 1
 
