@@ -8,12 +8,16 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
 from ptbatch.along import Bar, Load
 from ptbatch.geometry.profile import tendon_profile
+from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
 from ptbatch.model.loading import has_service_value, live, sustained
 from ptbatch.plots import style
+
+Array = NDArray[np.float64]
 
 SUPPORT = 7.0  # points
 BAND = 0.24  # height of a row of load arrows, in depths
@@ -55,15 +59,10 @@ def draw_body(axes: Axes, member: Member) -> None:
     axes.set_yticks([tick for tick in axes.get_yticks() if 0.0 <= tick <= h])
 
 
-def _flange_edges(member: Member) -> list[float]:
+def _flange_edges(member: Member) -> Array:
     """Depths where the section changes its width."""
-    if member.shape == "rectangle":
-        return []
-    assert member.hf is not None  # by the rules of the section
-    if member.shape == "tee":
-        return [member.hf]
-    assert member.hf_bottom is not None
-    return [member.hf, member.h - member.hf_bottom]
+    section = gross_section(member)
+    return np.cumsum(section.thickness)[:-1][np.diff(section.width) != 0.0]
 
 
 def _supports(axes: Axes, member: Member) -> None:
