@@ -90,6 +90,7 @@ def note(axes: Axes, text: str) -> None:
     """Say in the middle of empty axes why they are empty."""
     axes.set_xticks([])
     axes.set_yticks([])
+    axes.spines[:].set_visible(False)
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY, wrap=True)
 
 
