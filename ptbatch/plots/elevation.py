@@ -20,6 +20,7 @@ from ptbatch.plots import style
 Array = NDArray[np.float64]
 
 SUPPORT = 7.0  # points
+POINTS = 2001
 BAND = 0.24  # height of a row of load arrows, in depths
 ARROWS = 9  # to a whole member
 SPIKE: dict[str, Any] = {"arrowstyle": "-|>,head_width=0.16,head_length=0.36", "linewidth": 0.8}
@@ -45,18 +46,23 @@ def draw_body(axes: Axes, member: Member) -> None:
     axes.fill_between([0.0, end], 0.0, h, facecolor=style.CONCRETE, edgecolor=style.INK, linewidth=0.9)
     for depth in _flange_edges(member):
         axes.plot([0.0, end], [depth, depth], color=style.GREY, linewidth=0.5)
-    profile = tendon_profile(member)
-    x = np.union1d(np.linspace(0.0, member.total_length, 801), profile.breaks)
-    path = profile.depth(x)
+    x, path = tendon_line(member)
     axes.plot(x / 1e3, path, color=style.TENDON, linewidth=1.6, gid="tendon")
     _supports(axes, member)
-    _anchors(axes, member, profile.depth([0.0, member.total_length]))
+    _anchors(axes, member, path[[0, -1]])
     style.along(axes, member.total_length)
     axes.grid(False)
     axes.set_ylim(max(1.2 * h, 1.05 * path.max()), -0.06 * h)  # also where the tendon lies too deep
     axes.set_ylabel("depth [mm]")
     axes.spines["left"].set_bounds(0.0, h)
     axes.set_yticks([tick for tick in axes.get_yticks() if 0.0 <= tick <= h])
+
+
+def tendon_line(member: Member) -> tuple[Array, Array]:
+    """x and depth of the tendon [mm], close enough together to be drawn, the ends of its pieces among them."""
+    profile = tendon_profile(member)
+    x = np.union1d(np.linspace(0.0, member.total_length, POINTS), profile.breaks)
+    return x, profile.depth(x)
 
 
 def _flange_edges(member: Member) -> Array:
@@ -126,8 +132,7 @@ def _arrow(axes: Axes, x: float, tail: float, tip: float, ink: str, width: float
 
 def _key(member: Member) -> list[Line2D]:
     """What the lines are, with their sizes."""
-    profile = tendon_profile(member)
-    depths = profile.depth(profile.breaks)
+    depths = tendon_line(member)[1]
     bars = Counter((bar.depth, bar.area) for bar in all_bars(member))
     steel = "; ".join(f"{style.small(area)} at {depth:g}" for depth, area in sorted(bars))
     reach = f"{depths.min():.4g}" if np.ptp(depths) < 1e-6 else f"{depths.min():.4g} to {depths.max():.4g}"

@@ -7,10 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from ptbatch.geometry.profile import tendon_profile
 from ptbatch.member import Member
 from ptbatch.plots import style
-from ptbatch.plots.elevation import all_bars
+from ptbatch.plots.elevation import all_bars, tendon_line
 
 COVER = 0.1  # of the width there: bars keep this far from the sides
 
@@ -20,8 +19,7 @@ def draw_section(axes: Axes, member: Member) -> None:
     axes.add_patch(PathPatch(outline(member), facecolor=style.CONCRETE, edgecolor=style.INK, linewidth=0.9))
     for bar in all_bars(member):
         _bar_row(axes, member, bar.depth, bar.x_end - bar.x_start < 0.999 * member.total_length)
-    profile = tendon_profile(member)
-    depths = profile.depth(profile.breaks)
+    depths = tendon_line(member)[1]
     for depth, fill in ((depths.min(), "white"), (depths.max(), style.TENDON)):
         x, _ = _concrete_at(member, depth)
         look: dict[str, Any] = {"color": style.TENDON, "markerfacecolor": fill, "markersize": 6.5}
