@@ -59,7 +59,7 @@ def draw_body(axes: Axes, member: Member) -> None:
 
 
 def tendon_line(member: Member) -> tuple[Array, Array]:
-    """x and depth of the tendon [mm], close enough together to be drawn, the ends of its pieces among them."""
+    """x and depth of the tendon [mm], close enough to be drawn, the ends of its pieces among them."""
     profile = tendon_profile(member)
     x = np.union1d(np.linspace(0.0, member.total_length, POINTS), profile.breaks)
     return x, profile.depth(x)
