@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ptbatch import stages
+from ptbatch.core.case import Case, Tolerance
+from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
-from ptbatch.core.newton import Tolerance
-from ptbatch.core.step import Case
 from ptbatch.core.work import new_work
 from ptbatch.losses import Losses, analytic_losses, fpj_for_mean
 from ptbatch.member import Member
@@ -18,7 +18,7 @@ from ptbatch.response import Response
 
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
-ITERATIONS = 20, 40, 200  # most in a step: whole steps, searched steps, searched steps without softening
+BUDGET = 30_000  # iterations of one member at most
 
 
 @dataclass(frozen=True)
@@ -45,10 +45,10 @@ def analyse(member: Member, *, smooth: bool = True, corrected: bool = True, refi
         stress(run)
         if member.fpe is not None:
             run = stress_to_mean(run, member.fpe, corrected)
-        complete = serve(run, refine)
+        ended = serve(run, refine)
     except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none))
-    return finished(run, complete)
+    return finished(run, ended)
 
 
 def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
@@ -66,7 +66,7 @@ def prepare(setup: Setup, fpj: float, corrected: bool = True) -> Run:
         new_work(n, half_bandwidth(setup, start)),
         new_history(ROWS, n),
         Tolerance(
-            1e-8, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), *ITERATIONS
+            1e-8, 1e-3, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), BUDGET
         ),
     )
     return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)
@@ -109,12 +109,12 @@ def mean_stress(run: Run) -> float:
     return float(np.average(run.rig.case.work.T, weights=run.start.rest) / run.setup.member.Aps)
 
 
-def serve(run: Run, refine: int) -> bool:
-    """Stage 4; whether the live load could be followed to the deflection limit or a rupture."""
+def serve(run: Run, refine: int) -> int:
+    """Stage 4; how the live load ended."""
     setup, member = run.setup, run.setup.member
     bonded = bool(member.bond == "bonded")
     dof = 5 * setup.mesh.control + 3
-    control = stages.Control(
+    control = Control(
         dof,
         float(run.rig.case.state.u[dof]),
         setup.mesh.sense,

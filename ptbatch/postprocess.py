@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch import stages
+from ptbatch.core.ramp import DONE
 from ptbatch.cracks import cracks_at
 from ptbatch.events import Service, find_events
 from ptbatch.geometry.section import gross_section
@@ -28,8 +29,9 @@ def stopped(run: "Run", stage: int, message: str) -> Response:
     return Response(**_common(run, stage), status="not converged", message=message)
 
 
-def finished(run: "Run", complete: bool) -> Response:
-    """Response of a member that was loaded; `complete` where the loading ended by itself."""
+def finished(run: "Run", ended: int) -> Response:
+    """Response of a member that was loaded; ended: how the loading did."""
+    complete = ended == DONE
     common = _common(run, stages.LIVE)
     rows, history = _service_rows(run), run.rig.case.history
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
@@ -67,7 +69,7 @@ def _common(run: "Run", before: int) -> dict[str, Any]:
         "losses": run.losses,
         "tendon": {name: _tendon_state(run, row) for name, row in last.items() if row is not None},
         "residual_max": float(history.residual[used].max(initial=0.0)),
-        "newton_iterations": int(history.iterations[used].sum()),
+        "newton_iterations": int(run.rig.case.work.spent[0]),
         "has_service_value": has_service_value(setup.member),
     }
     if (row := last[JACKED]) is not None:

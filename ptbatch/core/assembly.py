@@ -2,7 +2,7 @@
 
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
 from ptbatch.core.beam import beam_forces, beam_tangent
-from ptbatch.core.contact import contact_forces, project, segment
+from ptbatch.core.contact import GROUTED, HELD, UNKNOWN, contact_forces, project, segment
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
@@ -72,7 +72,7 @@ def gather_contact(j, model, u, work):
 
 
 @kernel
-def search(model, u, work):
+def find_segments(model, u, work):
     """Contact search: give each inner tendon node the segment that its projection lies in, and its arc
     length.
 
@@ -177,7 +177,7 @@ def internal_forces(model, state, u, ends, bonded, work):
         gather_contact(j, model, u, work)
         seg = segment(work.segment[j], model)
         work.xi[j] = project(work.q12, work.xi[j], seg)
-        work.normal[j], work.shear[j], work.s[j] = contact_forces(
+        work.normal[j], work.shear[j], work.s[j], _ = contact_forces(
             work.q12,
             work.xi[j],
             work.T[j - 1],
@@ -189,7 +189,7 @@ def internal_forces(model, state, u, ends, bonded, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
-            bonded,
+            GROUTED if bonded else UNKNOWN,
             seg,
             model.contact,
             work.f8,
@@ -216,17 +216,20 @@ def add_to(matrix, row, column, value):
 
 
 @kernel
-def tangent(model, state, u, ends, bonded, flat, work):
+def tangent(model, state, u, ends, bonded, damping, work):
     """work.f and work.matrix at u, after a fresh contact search."""
     n = model.x.size - 1
-    search(model, u, work)
+    find_segments(model, u, work)
     stretch_tendon(model, state, work, True)
     work.f[:] = 0.0
     work.matrix[:] = 0.0
     for e in range(n):
-        add_beam(e, model, state, u, flat, work)
+        add_beam(e, model, state, u, damping, work)
     for e in range(1, n):
         add_truss(e, work)
+    work.held_back[0] = 0
+    if bonded:
+        work.motion[:] = GROUTED
     for j in range(1, n + 1):
         add_contact(j, model, state, u, bonded, work)
     for side in range(2):
@@ -235,10 +238,10 @@ def tangent(model, state, u, ends, bonded, flat, work):
 
 
 @kernel
-def add_beam(e, model, state, u, flat, work):
+def add_beam(e, model, state, u, damping, work):
     for i in range(6):
         work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-    beam_tangent(e, model, state, work.q6, flat, work.f6, work.k6)
+    beam_tangent(e, model, state, work.q6, damping, work.f6, work.k6)
     for i in range(6):
         row = (beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i
         work.f[row] += work.f6[i]
@@ -280,7 +283,7 @@ def add_contact(j, model, state, u, bonded, work):
         if column == 5 or column == 6:
             continue
         z[column] = complex(work.q12[column], STEP)
-        N, Tt, s = contact_forces(
+        N, Tt, s, motion = contact_forces(
             z,
             work.xi[j],
             work.T[j - 1],
@@ -292,7 +295,7 @@ def add_contact(j, model, state, u, bonded, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
-            bonded,
+            work.motion[j],
             seg,
             model.contact,
             work.w8,
@@ -307,6 +310,9 @@ def add_contact(j, model, state, u, bonded, work):
     work.normal[j] = N.real
     work.shear[j] = Tt.real
     work.s[j] = s.real
+    work.motion[j] = motion
+    if motion == HELD:
+        work.held_back[0] += 1
     add_contact_forces(j, work)
     a = tendon_dof(j)
     m1 = beam_dof(work.segment[j])

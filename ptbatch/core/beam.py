@@ -34,11 +34,11 @@ def section_forces(eps0, kappa, model, past, plastic, bar_area):
 
 
 @kernel
-def section_tangent(eps0, kappa, model, past, plastic, bar_area, flat):
+def section_tangent(eps0, kappa, model, past, plastic, bar_area, damping):
     """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa): one complex evaluation a fibre gives stress and
     modulus.
 
-    flat: fibres that soften count with no stiffness rather than with a negative one.
+    damping: added to the modulus of each concrete fibre, as a share of the uncracked one.
     """
     N = 0.0
     M = 0.0
@@ -49,9 +49,7 @@ def section_tangent(eps0, kappa, model, past, plastic, bar_area, flat):
         y = model.layer_y[i]
         stress = concrete_stress(complex(eps0 - y * kappa, STEP), past[i], model.concrete)
         force = model.layer_area[i] * stress.real
-        stiffness = model.layer_area[i] * (stress.imag / STEP)
-        if flat and stiffness < 0.0:
-            stiffness = 0.0
+        stiffness = model.layer_area[i] * (stress.imag / STEP + damping * model.concrete.E0)
         N += force
         M -= y * force
         EA += stiffness
@@ -114,7 +112,7 @@ def beam_forces(e, model, state, d, f):
 
 
 @kernel
-def beam_tangent(e, model, state, d, flat, f, k):
+def beam_tangent(e, model, state, d, damping, f, k):
     """Nodal forces f (6,) and tangent k (6, 6): material part by the complex step in the fibres, geometric
     part of the chord."""
     length = model.x[e + 1] - model.x[e]
@@ -127,7 +125,7 @@ def beam_tangent(e, model, state, d, flat, f, k):
         b2 = 6.0 * xi - 2.0
         eps0, kappa = strains(length, elongation, turn1, turn2, xi)
         Ng, Mg, EA, ES, EI = section_tangent(
-            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], flat
+            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], damping
         )
         N += 0.5 * Ng
         M1 += 0.5 * b1 * Mg

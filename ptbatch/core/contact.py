@@ -19,6 +19,8 @@ from ptbatch.core.embedding import arm, turned
 from ptbatch.core.jit import kernel, root
 
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
+# Motion of a tendon node along its duct in an iteration
+BACKWARD, STICKING, FORWARD, HELD, GROUTED, UNKNOWN, EXPECTED_FORWARD, EXPECTED_BACKWARD = range(8)
 
 
 class Segment(NamedTuple):
@@ -106,21 +108,34 @@ def project(q, xi, seg):
 
 
 @kernel
-def friction(slip, rub, N, T, rough, bonded, c):
-    """Coulomb's return mapping, eq. (23): friction force after a slip that starts with the friction force
-    `rub`."""
+def friction(slip, rub, N, T, rough, was, c):
+    """Coulomb's return mapping, eq. (23): (friction force, motion) after a slip that starts with the friction
+    force `rub`.
+
+    was: the node's motion in the iteration before. One that slid and is now pushed the other way is held
+    first, whatever force that takes: Newton's method then finds its place of rest in one step, where jumping
+    from +capacity to -capacity and back would go on for ever. A motion that is only expected is taken as
+    given, once.
+    """
     trial = rub + c.tangential * slip
-    if bonded:
-        return trial
+    if was == GROUTED:
+        return trial, GROUTED
     capacity = c.mu * N + rough * T
-    if abs(trial.real) < ALMOST * capacity.real:
-        return trial
-    return capacity if trial.real > 0.0 else -capacity
+    limit = ALMOST * capacity.real
+    if was == EXPECTED_FORWARD:
+        return capacity, FORWARD
+    if was == EXPECTED_BACKWARD:
+        return -capacity, BACKWARD
+    if trial.real >= limit:
+        return (trial, HELD) if was == BACKWARD else (capacity, FORWARD)
+    if trial.real <= -limit:
+        return (trial, HELD) if was == FORWARD else (-capacity, BACKWARD)
+    return trial, STICKING
 
 
 @kernel
-def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, bonded, seg, c, f):
-    """Forces f (8,) on slave and masters; also returned: (N, T_t, s).
+def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, was, seg, c, f):
+    """Forces f (8,) on slave and masters; also returned: (N, T_t, s, motion).
 
     xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are
     the tensions of the tendon elements on the two sides with their slopes by length, which carries theirs.
@@ -157,7 +172,7 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
         N = P
     s = seg.s + xi_c * seg.ds
     size = N if N.real >= 0.0 else -N
-    Tt = friction(s - s0, rub, size, tension, rough, bonded, c)
+    Tt, motion = friction(s - s0, rub, size, tension, rough, was, c)
     fx = Tt * ux - N * uy
     fy = Tt * uy + N * ux
     f[0] = fx
@@ -173,4 +188,4 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
     ay2 = py[2] - q[6]
     f[4] = -(fy * (w[0] * ax1 + w[1] * px[1]) - fx * (w[0] * ay1 + w[1] * py[1]) + (1.0 - xi_c) * couple)
     f[7] = -(fy * (w[2] * ax2 + w[3] * px[3]) - fx * (w[2] * ay2 + w[3] * py[3]) + xi_c * couple)
-    return N, Tt, s
+    return N, Tt, s, motion

@@ -6,6 +6,7 @@ import numpy as np
 
 from ptbatch.core.assembly import end_slip
 from ptbatch.core.beam import commit_beam
+from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import beam_dof
 from ptbatch.core.reference import reference
@@ -18,7 +19,7 @@ class History(NamedTuple):
     stage: np.ndarray  # (rows,) int
     factor: np.ndarray  # (rows,) of the live pattern
     iterations: np.ndarray  # (rows,) int
-    residual: np.ndarray  # (rows,) relative
+    residual: np.ndarray  # (rows,) largest imbalance, relative
     u: np.ndarray  # (rows, ndof)
     f: np.ndarray  # (rows, ndof) internal forces; at a support its reaction less the load there
     T: np.ndarray  # (rows, n+1)
@@ -87,6 +88,7 @@ def commit(model, state, ends, work):
     state.segment[:] = work.segment
     state.s[:] = work.s
     state.rub[:] = work.shear
+    state.motion[:] = UNKNOWN
     for side in range(2):
         state.s[side * (n + 1)] = end_slip(side, ends.mode[side], model, state.u, work)
 
@@ -96,4 +98,5 @@ def rewind(state, work):
     """Start a trial from the committed state."""
     work.trial[:] = state.u
     work.segment[:] = state.segment
+    work.motion[:] = state.motion
     work.xi[:] = 0.5  # a failed trial may have left anything there

@@ -65,6 +65,7 @@ class State(NamedTuple):
     segment: np.ndarray  # (n+2,) int, the duct segment of each tendon node
     s: np.ndarray  # (n+2,) arc length of the tendon nodes; of the ends what `end_slip` measures
     rub: np.ndarray  # (n+2,) friction force there: with s the history of slip, whatever the segment
+    motion: np.ndarray  # (n+2,) int, how they are expected to move in the next step, see `friction`
 
 
 class Ends(NamedTuple):

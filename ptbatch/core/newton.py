@@ -1,5 +1,4 @@
-"""Equilibrium of one step: Newton-Raphson with a line search on the work of the step, under load or
-displacement control."""
+"""Equilibrium of one step: Newton-Raphson under load or displacement control."""
 
 from typing import NamedTuple
 
@@ -7,40 +6,30 @@ import numpy as np
 
 from ptbatch.core.assembly import internal_forces, tangent
 from ptbatch.core.banded import factorise, substitute
+from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
-PLAIN, SEARCH, FLAT = range(3)  # whole steps; steps searched along; also without the stiffness of softening
+HOPELESS = 1e8  # relative residual
+PATIENCE = 6  # iterations in which an undamped way must bring its residual down
 
 
-class Target(NamedTuple):
-    """External forces `fixed + factor * pattern`; with `dof` >= 0 the factor is free and that displacement is
-    to reach `value`."""
+class Way(NamedTuple):
+    """A way of iterating. damping: this share of the uncracked stiffness is added to the tangent in the first
+    iteration, and `decay` of it is left from one to the next; search: along each step for the share of it
+    that leaves no work to do."""
 
-    fixed: np.ndarray  # (ndof,)
-    pattern: np.ndarray  # (ndof,)
-    dof: int
-    value: float
-
-
-class Tolerance(NamedTuple):
-    """Convergence on both: largest residual over `force` (moments over force * arm), largest increment over
-    `length`."""
-
-    residual: float
-    increment: float
-    force: float
-    arm: float
-    length: float
-    plain: int  # most iterations, by the way of iterating
-    search: int
-    flat: int
+    most: int  # iterations
+    damping: float
+    decay: float
+    search: bool
 
 
 @kernel
-def unbalance(model, target, factor, ends, work):
+def unbalance(case, target, factor):
     """work.residual = external - internal, zero where held."""
+    model, work = case.model, case.work
     n = model.x.size - 1
     for i in range(work.f.size):
         work.residual[i] = 0.0 if model.held[i] else target.fixed[i] + factor * target.pattern[i] - work.f[i]
@@ -50,38 +39,41 @@ def unbalance(model, target, factor, ends, work):
 
 
 @kernel
-def residual_norm(ends, work, tolerance):
-    """Largest component relative to the reference force; rows of a prescribed gap do not count."""
+def counts(i, size, ends):
+    """Whether a row is a balance of forces: that of a prescribed gap is not."""
+    return not ((i == 0 and ends.mode[0] == PRESCRIBED) or (i == size - 2 and ends.mode[1] == PRESCRIBED))
+
+
+@kernel
+def residual_norm(case):
+    """Largest component relative to the reference force."""
+    residual, tolerance = case.work.residual, case.tolerance
     worst = 0.0
-    size = work.residual.size
-    for i in range(size):
-        if (i == 0 and ends.mode[0] == PRESCRIBED) or (i == size - 2 and ends.mode[1] == PRESCRIBED):
-            continue
-        arm = tolerance.arm if i % 5 == 4 else 1.0
-        worst = max(worst, abs(work.residual[i]) / arm)
-        if not np.isfinite(work.residual[i]):
+    for i in range(residual.size):
+        if not np.isfinite(residual[i]):
             return np.inf
+        if counts(i, residual.size, case.ends):
+            worst = max(worst, abs(residual[i]) / (tolerance.arm if i % 5 == 4 else 1.0))
     return worst / tolerance.force
 
 
 @kernel
-def increment_norm(work, tolerance):
+def increment_norm(case):
+    du, tolerance = case.work.du, case.tolerance
     worst = 0.0
-    for i in range(work.du.size):
-        arm = tolerance.arm if i % 5 == 4 else 1.0
-        worst = max(worst, abs(work.du[i]) * arm)
+    for i in range(du.size):
+        worst = max(worst, abs(du[i]) * (tolerance.arm if i % 5 == 4 else 1.0))
     return worst / tolerance.length
 
 
 @kernel
-def power_of_step(ends, work):
+def power_of_step(case):
     """du . R, the work that is left to do along the step."""
+    du, residual = case.work.du, case.work.residual
     total = 0.0
-    size = work.du.size
-    for i in range(size):
-        if (i == 0 and ends.mode[0] == PRESCRIBED) or (i == size - 2 and ends.mode[1] == PRESCRIBED):
-            continue
-        total += work.du[i] * work.residual[i]
+    for i in range(du.size):
+        if counts(i, du.size, case.ends):
+            total += du[i] * residual[i]
     return total
 
 
@@ -96,35 +88,36 @@ def hold(model, work):
 
 
 @kernel
-def move(eta, model, state, target, factor, dfactor, ends, bonded, work):
+def move(eta, case, target, factor):
     """Go to eta along the step; what is left of its work there."""
+    work = case.work
     for i in range(work.trial.size):
         work.trial[i] = work.before[i] + eta * work.du[i]
-    internal_forces(model, state, work.trial, ends, bonded, work)
-    unbalance(model, target, factor + eta * dfactor, ends, work)
-    return power_of_step(ends, work)
+    internal_forces(case.model, case.state, work.trial, case.ends, target.bonded, work)
+    unbalance(case, target, factor)
+    return power_of_step(case)
 
 
 @kernel
-def line_search(model, state, target, factor, dfactor, ends, bonded, work, tolerance):
+def line_search(case, target, factor, dfactor):
     """The share eta of the step to take: the whole where that lowers the work or the residual, else a zero of
     the work (Illinois)."""
-    start = power_of_step(ends, work)
-    norm = residual_norm(ends, work, tolerance)
-    work.before[:] = work.trial
+    start = power_of_step(case)
+    norm = residual_norm(case)
+    case.work.before[:] = case.work.trial
     eta = 1.0
-    g = move(eta, model, state, target, factor, dfactor, ends, bonded, work)
+    g = move(eta, case, target, factor + eta * dfactor)
     for _ in range(8):
         if np.isfinite(g):
             break
         eta *= 0.25
-        g = move(eta, model, state, target, factor, dfactor, ends, bonded, work)
-    if abs(g) <= 0.8 * abs(start) or g * start > 0.0 or residual_norm(ends, work, tolerance) <= 0.9 * norm:
+        g = move(eta, case, target, factor + eta * dfactor)
+    if abs(g) <= 0.8 * abs(start) or g * start > 0.0 or residual_norm(case) <= 0.9 * norm:
         return eta
     low, g_low, high, g_high = 0.0, start, eta, g
     for _ in range(12):
         eta = (low * g_high - high * g_low) / (g_high - g_low)
-        g = move(eta, model, state, target, factor, dfactor, ends, bonded, work)
+        g = move(eta, case, target, factor + eta * dfactor)
         if abs(g) <= 0.5 * abs(start):
             break
         if g * g_high < 0.0:
@@ -136,42 +129,61 @@ def line_search(model, state, target, factor, dfactor, ends, bonded, work, toler
 
 
 @kernel
-def equilibrate(model, state, target, factor, ends, bonded, way, work, tolerance):
-    """Iterate work.trial to equilibrium in one of the ways above; returns (status, factor, iterations,
-    relative residual)."""
+def solve(case, target):
+    """work.du from the tangent and the residual; returns (solved, the change of the factor)."""
+    model, work = case.model, case.work
     half = (work.matrix.shape[1] - 1) // 2
+    hold(model, work)
+    if not factorise(work.matrix, half, work.multipliers, work.pivots):
+        return False, 0.0
+    work.du[:] = work.residual
+    substitute(work.matrix, half, work.multipliers, work.pivots, work.du)
+    if target.dof < 0:
+        return True, 0.0
+    for i in range(work.du.size):
+        work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
+    substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
+    reach = work.du_load[target.dof]
+    if reach == 0.0:
+        return False, 0.0
+    dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
+    for i in range(work.du.size):
+        work.du[i] += dfactor * work.du_load[i]
+    return True, dfactor
+
+
+@kernel
+def equilibrate(case, target, factor, way):
+    """Iterate work.trial to equilibrium; returns (status, factor, iterations, relative residual)."""
+    work, tolerance = case.work, case.tolerance
     increment = np.inf
-    most = tolerance.plain if way == PLAIN else tolerance.search if way == SEARCH else tolerance.flat
-    for iteration in range(most):
-        tangent(model, state, work.trial, ends, bonded, way == FLAT, work)
-        unbalance(model, target, factor, ends, work)
-        norm = residual_norm(ends, work, tolerance)
-        if norm <= tolerance.residual and increment <= tolerance.increment:
+    norm = np.inf
+    least = np.inf
+    improved = 0
+    damping = way.damping
+    for iteration in range(way.most):
+        if way.search:
+            work.motion[:] = UNKNOWN
+        tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)
+        unbalance(case, target, factor)
+        norm = residual_norm(case)
+        if norm <= tolerance.residual and increment <= tolerance.increment and work.held_back[0] == 0:
             return CONVERGED, factor, iteration, norm
-        if not np.isfinite(norm):
+        if not norm < HOPELESS:
             return SINGULAR, factor, iteration, norm
-        hold(model, work)
-        if not factorise(work.matrix, half, work.multipliers, work.pivots):
+        if norm < least:
+            least = norm
+            improved = iteration
+        if way.damping == 0.0 and iteration > improved + PATIENCE and iteration > 2 * PATIENCE:
+            return TOO_MANY_ITERATIONS, factor, iteration, norm
+        solved, dfactor = solve(case, target)
+        if not solved:
             return SINGULAR, factor, iteration, norm
-        work.du[:] = work.residual
-        substitute(work.matrix, half, work.multipliers, work.pivots, work.du)
-        dfactor = 0.0
-        if target.dof >= 0:
-            for i in range(work.du.size):
-                work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
-            substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
-            reach = work.du_load[target.dof]
-            if reach == 0.0:
-                return SINGULAR, factor, iteration, norm
-            dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
-            for i in range(work.du.size):
-                work.du[i] += dfactor * work.du_load[i]
-        if way == PLAIN or iteration == 0:  # from equilibrium the first step has no work to search along
+        damping *= way.decay
+        if way.search and iteration > 0:  # from equilibrium the first step has no work to search along
+            factor += dfactor * line_search(case, target, factor, dfactor)
+        else:
             work.trial[:] += work.du
             factor += dfactor
-        else:
-            factor += dfactor * line_search(
-                model, state, target, factor, dfactor, ends, bonded, work, tolerance
-            )
-        increment = increment_norm(work, tolerance)
-    return TOO_MANY_ITERATIONS, factor, most, norm
+        increment = increment_norm(case)
+    return TOO_MANY_ITERATIONS, factor, way.most, norm

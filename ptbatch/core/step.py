@@ -1,61 +1,65 @@
-"""One step of a stage: try it, look at it, accept it. What the stages call, and all that they call."""
+"""One step of a stage: find it, check it, accept it."""
 
-from typing import NamedTuple
+import numpy as np
 
-from ptbatch.core.history import History, HistoryRef, commit, record, rewind
+from ptbatch.core.history import commit, record, rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
-from ptbatch.core.newton import CONVERGED, FLAT, PLAIN, SEARCH, Target, Tolerance, equilibrate
-from ptbatch.core.reference import reference
-from ptbatch.core.work import Work, WorkRef
+from ptbatch.core.newton import CONVERGED, Way, equilibrate
+from ptbatch.core.equilibrium import imbalance
 
-
-class Case(NamedTuple):
-    """One analysis: the member, its committed state and what drives its ends, scratch and record."""
-
-    model: Model
-    state: State
-    ends: Ends
-    work: Work
-    history: History
-    tolerance: Tolerance
-
-
-CaseRef = reference(Case, "CaseRef")
+# What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may leave
+# no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps are for
+# friction that turns round everywhere.
+WAYS = (
+    Way(20, 0.0, 1.0, False),
+    Way(25, 0.1, 0.6, False),
+    Way(30, 0.0, 1.0, True),
+    Way(60, 0.3, 0.8, False),
+)
+SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
+UNBALANCED = 4  # and: the iteration converged to what statics does not confirm
 
 
 @kernel
-def open_case(model, state, ends, work, history, tolerance):
-    """The case as the functions below take it; it shares the arrays that it was given."""
-    return CaseRef(
-        ModelRef(*model), StateRef(*state), EndsRef(*ends), WorkRef(*work), HistoryRef(*history), tolerance
-    )
+def find_equilibrium(case, target, factor, ahead):
+    """Look for equilibrium from the committed state; returns (status, factor, iterations, largest imbalance).
 
-
-@kernel
-def find_equilibrium(case, fixed, pattern, dof, value, factor, bonded):
-    """Look for equilibrium from the committed state (see `Target`); returns (status, factor, iterations,
-    relative residual).
-
-    Whole Newton steps first, which is all that most steps need; then searched ones, for friction that turns
-    round; then without the negative stiffness of softening fibres, which leads on slowly but surely where
-    cracks choose their places.
+    ahead: of the last recorded change of displacements, what to start the first way with.
     """
-    target = Target(fixed, pattern, dof, value)
     spent = 0
-    for way in (PLAIN, SEARCH, FLAT):
+    status = SPENT
+    reached = factor
+    error = np.inf
+    for k in range(len(WAYS)):
+        if case.work.spent[0] >= case.tolerance.budget:
+            return SPENT, factor, spent, np.inf
         rewind(case.state, case.work)
-        status, reached, iterations, residual = equilibrate(
-            case.model, case.state, target, factor, case.ends, bonded, way, case.work, case.tolerance
-        )
+        guess = factor
+        if k == 0 and ahead > 0.0:
+            guess += extrapolate(ahead, case)
+        status, reached, iterations, error = equilibrate(case, target, guess, WAYS[k])
         spent += iterations
+        case.work.spent[0] += iterations
         if status == CONVERGED:
-            break
-    return status, reached, spent, residual
+            error = max(error, imbalance(case, target, reached))
+            if error <= case.tolerance.statics:
+                return CONVERGED, reached, spent, error
+            status = UNBALANCED
+    return status, reached, spent, error
 
 
 @kernel
-def accept(case, stage, factor, iterations, residual):
+def extrapolate(ahead, case):
+    """Move the trial on by a share of the last change; returns that of the factor."""
+    history, trial = case.history, case.work.trial
+    last = history.rows[0] - 1
+    for i in range(trial.size):
+        trial[i] += ahead * (history.u[last, i] - history.u[last - 1, i])
+    return ahead * (history.factor[last] - history.factor[last - 1])
+
+
+@kernel
+def accept(case, stage, factor, iterations, error):
     """Make the step that was tried last the committed state and record it."""
     commit(case.model, case.state, case.ends, case.work)
-    record(stage, factor, iterations, residual, case.model.rest_length, case.work, case.history)
+    record(stage, factor, iterations, error, case.model.rest_length, case.work, case.history)

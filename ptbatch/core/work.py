@@ -31,6 +31,10 @@ class Work(NamedTuple):
     rough: np.ndarray  # (n+2,)
     normal: np.ndarray  # (n+2,) contact force N
     shear: np.ndarray  # (n+2,) contact force T_t; at the ends J - T
+    motion: np.ndarray  # (n+2,) int, of the tendon nodes along the duct in the last iteration
+    held_back: np.ndarray  # (1,) int, how many of them were held where friction alone would not
+    spent: np.ndarray  # (1,) int, iterations so far
+    on_beam: np.ndarray  # (n+1, 3) forces on the beam nodes, for the check by statics
     half_tan: np.ndarray  # (2,) tan(theta/2) of the kinks at the anchors
     f6: np.ndarray
     q6: np.ndarray
@@ -66,6 +70,10 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(n + 2, np.int64),
         np.full(n + 2, 0.5),
         *[np.zeros(n + 2) for _ in range(5)],
+        np.zeros(n + 2, np.int64),
+        np.zeros(1, np.int64),
+        np.zeros(1, np.int64),
+        np.zeros((n + 1, 3)),
         np.zeros(2),
         np.zeros(6),
         np.zeros(6),

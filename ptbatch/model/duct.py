@@ -67,12 +67,13 @@ def turning_tables(profile: Profile, x: Array) -> tuple[Array, Array, Array]:
 @dataclass(frozen=True)
 class TendonStart:
     """Tendon nodes before jacking: positions (n+2, 2), rest lengths (n+1,), segments (n+2,), arc lengths
-    (n+2,), the two gaps."""
+    (n+2,), how far they will move to the right (n+2,), the two gaps."""
 
     position: Array
     rest: Array
     segment: NDArray[np.int64]
     s: Array
+    moves: Array
     gap: tuple[float, float]
 
 
@@ -82,7 +83,8 @@ def tendon_start(
     """Place the tendon so that jacking, by the analytic stresses, brings its ends to the anchors and its
     nodes to mid-segment."""
     target = np.concatenate([[line.s[0]], 0.5 * (line.s[1:] + line.s[:-1]), [line.s[-1]]])
-    s = target - _movement(line, profile, losses, live, Ep, target)
+    moves = _movement(line, profile, losses, live, Ep, target)
+    s = target - moves
     gap = (float(line.s[0] - s[0]), float(s[-1] - line.s[-1]))
     position, segment = line.point(s)
     position[0], position[-1] = (line.x[0], line.y[0]), (line.x[-1], line.y[-1])
@@ -91,7 +93,7 @@ def tendon_start(
         ends[node] += sign * g * np.array([1.0, slope]) / np.hypot(1.0, slope)
     rest = np.hypot(*np.diff(ends, axis=0).T)
     segment[0], segment[-1] = 0, len(line.x) - 2
-    return TendonStart(position, rest, segment, s, gap)
+    return TendonStart(position, rest, segment, s, moves, gap)
 
 
 def _movement(

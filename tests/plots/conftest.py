@@ -5,6 +5,7 @@ from openpyxl import Workbook
 
 from ptbatch import analysis, stages
 from ptbatch.batch import run_workbook
+from ptbatch.core.ramp import NO_EQUILIBRIUM
 from ptbatch.workbook.stored import read_stored
 
 SMALL = {
@@ -52,7 +53,7 @@ def results(source):
 
     def stuck(run, refine):
         if run.setup.member.member == "stuck":
-            raise stages.NoEquilibriumError(stages.LIVE, 0.25)
+            raise stages.NoEquilibriumError(stages.LIVE, NO_EQUILIBRIUM, 0.25)
         return serve(run, refine)
 
     with pytest.MonkeyPatch.context() as patch:

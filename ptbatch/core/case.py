@@ -1,0 +1,56 @@
+"""One analysis as the kernels take it: the member, its committed state, what drives its ends, scratch and
+record."""
+
+from typing import NamedTuple
+
+from ptbatch.core.history import History, HistoryRef
+from ptbatch.core.jit import kernel
+from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
+from ptbatch.core.reference import reference
+from ptbatch.core.work import Work, WorkRef
+
+
+class Tolerance(NamedTuple):
+    """Convergence: largest residual over `force` (moments over force * arm) and largest increment over
+    `length`; equilibrium of an accepted step, checked by statics; most iterations of a whole analysis."""
+
+    residual: float
+    increment: float
+    statics: float
+    force: float
+    arm: float
+    length: float
+    budget: int
+
+
+class Case(NamedTuple):
+    """What an analysis works on."""
+
+    model: Model
+    state: State
+    ends: Ends
+    work: Work
+    history: History
+    tolerance: Tolerance
+
+
+CaseRef = reference(Case, "CaseRef")
+
+
+@kernel
+def open_case(model, state, ends, work, history, tolerance):
+    """The case as the functions of the kernels take it; it shares the arrays that it was given."""
+    return CaseRef(
+        ModelRef(*model), StateRef(*state), EndsRef(*ends), WorkRef(*work), HistoryRef(*history), tolerance
+    )
+
+
+class Target(NamedTuple):
+    """External forces `fixed + factor * pattern`; with `dof` >= 0 the factor is free and that displacement is
+    to reach `value`. The tendon sticks to its duct where it is bonded."""
+
+    fixed: object  # (ndof,)
+    pattern: object  # (ndof,)
+    dof: int
+    value: float
+    bonded: bool
