@@ -11,6 +11,7 @@ from ptbatch.workbook.stored import Stored
 
 X, FE, ANALYTIC = "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]"
 STRESSING, LOADED = (JACKED, ANCHORED), (PEAK, END)
+NARROWEST = 0.05  # of the stress: less would make the round-off of a frictionless tendon look like a loss
 DASHES = {ANCHORED: (0, (1, 1.5)), PEAK: "-", END: (0, (5, 1.5))}
 
 
@@ -53,3 +54,6 @@ def _along(axes: Axes, several: Sequence[Stored]) -> None:
     style.along(axes, longest.total_length, longest.support_x)
     axes.set_ylabel("tendon stress [MPa]")
     axes.margins(y=0.08)
+    low, high = axes.get_ylim()
+    middle, reach = 0.5 * (high + low), max(high - low, NARROWEST * high)
+    axes.set_ylim(middle - 0.5 * reach, middle + 0.5 * reach)

@@ -12,6 +12,7 @@ RC: Any = {
     **{"font.family": "DejaVu Sans", "font.size": 8.5, "mathtext.default": "regular"},
     **{"axes.titlesize": 9.5, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlepad": 7},
     **{"axes.labelsize": 8.5, "axes.linewidth": 0.7, "axes.edgecolor": "#555555", "axes.axisbelow": True},
+    **{"axes.formatter.useoffset": False},
     **{"axes.spines.top": False, "axes.spines.right": False, "axes.grid": True},
     **{"grid.color": "#dddddd", "grid.linewidth": 0.5},
     **{"xtick.color": "#555555", "ytick.color": "#555555", "xtick.labelcolor": "black"},

@@ -1,5 +1,7 @@
 """What the figures show, number by number; of their look only that they can be drawn."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -8,6 +10,8 @@ from openpyxl import load_workbook
 
 from ptbatch.plots.curve import marks
 from ptbatch.plots.pages import HEIGHTS, figure_of, geometry_of, page_of
+from ptbatch.plots.stress import ANALYTIC, FE
+from ptbatch.workbook.stored import Table
 
 
 def drawn(figure: Figure, gid: str) -> list:
@@ -30,6 +34,15 @@ def test_stress_is_that_of_the_sheet(results, stored, member, stage):
         (line,) = drawn(figure, gid)
         assert_array_equal(line.get_xdata(), column(results, "tendon", member, stage, "x [mm]") / 1e3)
         assert_array_equal(line.get_ydata(), column(results, "tendon", member, stage, header))
+
+
+def test_round_off_does_not_fill_the_axis(stored):
+    """A frictionless tendon is drawn as what it is, a level line."""
+    simple = stored["simple"]
+    rows = [row | {FE: 1100.0 + 1e-9 * i, ANALYTIC: 1100.0} for i, row in enumerate(simple.tendon.rows)]
+    level = replace(simple, tendon=Table(rows))
+    low, high = figure_of([level], "stress").axes[0].get_ylim()
+    assert low < 1080.0 < 1120.0 < high
 
 
 def test_redistribution_lays_members_over_each_other(results, stored):
