@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NoReturn
 import click
 
 from ptbatch import __version__
-from ptbatch.errors import PtbatchError, UnknownMemberError
+from ptbatch.errors import OutputNameError, PtbatchError, UnknownMemberError
 
 if TYPE_CHECKING:
     from ptbatch.batch import Batch
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 OK, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 3, 4, 70, 130
 PASSED = ("ok", "warning")
+FIGURES = ("stress", "redistribution", "load-deflection", "cracks", "profile", "all")
 SHOWN_ROWS = 40  # of the closing table
 
 EPILOG = """\b
@@ -80,6 +81,47 @@ def template(file: Path, units: Literal["SI", "US"]) -> int:
 
     _say(f"written: {write_template(file, units)}")
     return OK
+
+
+@cli.command(epilog=EPILOG)
+@WORKBOOK
+@click.option("--member", "members", multiple=True, required=True, metavar="M", help="May be repeated.")
+@click.option("--figure", type=click.Choice(FIGURES), help="One figure of all these members [all].")
+@click.option("--geometry", is_flag=True, help="Draw section and tendon from an input workbook.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="A .png, .pdf or .svg file, or a folder."
+)
+def plot(
+    workbook: Path, members: Sequence[str], figure: str | None, geometry: bool, output: Path | None
+) -> int:
+    """Draw members from the results in WORKBOOK.
+
+    \b
+    stress           tendon stress after stressing, with the analytic line
+    redistribution   tendon stress at the peak and at the end; members laid over each other
+    load-deflection  with cracking, yield, peak and failure; members laid over each other
+    cracks           cracked depth of every section, after anchoring, at the peak, at the end
+    profile          tendon profile, adjusted for wobble and ideal
+    all              elevation, section and the first four, a page for each member
+
+    Without -o the figure is written as .png beside WORKBOOK. With --geometry WORKBOOK is an input: elevation
+    and section are drawn before any analysis.
+    """
+    if geometry and figure:
+        raise click.UsageError("--geometry draws from an input workbook: it goes without --figure")
+    from ptbatch.plots import draw, draw_geometry
+
+    try:
+        if geometry:
+            drawn = draw_geometry(workbook, members, output)
+        else:
+            drawn = draw(workbook, members, figure or "all", output)
+    except UnknownMemberError as error:
+        raise click.BadParameter(str(error), param_hint="--member") from error
+    except OutputNameError as error:
+        raise click.BadParameter(str(error), param_hint="-o") from error
+    _say(*drawn.lacking, *(f"written: {path}" for path in drawn.written))
+    return INVALID_ROWS if drawn.lacking else OK
 
 
 def main(args: Sequence[str] | None = None) -> NoReturn:

@@ -9,6 +9,14 @@ class UnknownMemberError(PtbatchError):
     """A member asked for that the workbook does not have."""
 
 
+class OutputNameError(PtbatchError):
+    """A file name that does not fit what is to be written."""
+
+
+class NothingToDrawError(PtbatchError):
+    """Members of which there is nothing to be seen."""
+
+
 class ReadError(PtbatchError):
     """A workbook that cannot be read at all."""
 

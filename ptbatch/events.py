@@ -92,15 +92,17 @@ def _measures(service: Service) -> dict[str, tuple[Array, Array]]:
         measures["cracking"] = _largest(1.0 + (np.maximum(low, high) - eps_cr) / 1e-3, place)
         measures[CRUSHING] = _largest(-np.minimum(low, high) / concrete.crushing_strain, place)
     stress = service.T / strand.Aps
-    tendon_yield = stress.max(axis=1) / strand.fpy, np.zeros(len(stress))
+    pulled = model.x[stress.argmax(axis=1)]  # a tendon element lies about the beam node of its number
+    tendon_yield = stress.max(axis=1) / strand.fpy, pulled
     if strand.law != ELASTIC_TENDON:
         measures["yield"] = tendon_yield
-        measures[TENDON_RUPTURE] = service.strain / strand.epu, np.zeros(len(stress))
+        measures[TENDON_RUPTURE] = service.strain / strand.epu, pulled
     if model.bar_y.size:
         bars = np.abs(eps0[..., None] - model.bar_y * kappa[..., None]) * (model.bar_area[:, None, :] > 0.0)
         bar_yield, at = _largest((bars * steel.Es / model.bar_fy).max(axis=-1), place)
         measures[BAR_RUPTURE] = _largest(bars.max(axis=-1) / steel.esu, place)
         if "yield" in measures:
+            at = np.where(bar_yield < tendon_yield[0], pulled, at)
             bar_yield = np.maximum(bar_yield, tendon_yield[0])
         measures["yield"] = bar_yield, at
     return measures

@@ -103,6 +103,15 @@ class Member:
         return (0.0, *accumulate(self.span))
 
     @property
+    def supports(self) -> tuple[str, ...]:
+        """Kind of every support. Interior ones are rollers; where no end holds the member lengthwise, the
+        first of them is a pin."""
+        kinds = [self.support_left, *["roller"] * (len(self.span) - 1), self.support_right]
+        if not {"pin", "fixed"} & {kinds[0], kinds[-1]} and len(kinds) > 2:
+            kinds[1] = "pin"
+        return tuple(kinds)
+
+    @property
     def total_length(self) -> float:
         """Sum of the spans [mm]."""
         return self.support_x[-1]

@@ -7,9 +7,11 @@ from numpy.typing import NDArray
 
 from ptbatch import stages
 from ptbatch.core.ramp import DONE
+from ptbatch.cracks import cracks_at
 from ptbatch.events import Service, find_events
+from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
-from ptbatch.response import ANCHORED, JACKED, PEAK, SET, Curve, Response, TendonState
+from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Response, TendonState
 from ptbatch.statics import node_values, section_moments
 
 if TYPE_CHECKING:
@@ -40,10 +42,11 @@ def finished(run: "Run", ended: int) -> Response:
         if last > 0.98 * curve.load.max():
             end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
             message = f"live load: no equilibrium found beyond {end}"
+            common |= _states(run, rows, common["tendon"])
             return Response(**common, curve=curve, status="not converged", message=message)
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
-    common["tendon"][PEAK] = _tendon_state(run, int(rows[round(peak.step)]))
+    common |= _states(run, rows, common["tendon"], round(peak.step))
     note = f"the curve ends at {curve.deflection[-1]:.4g} mm: no further equilibrium was found"
     return Response(
         **common,
@@ -78,6 +81,20 @@ def _common(run: "Run", before: int) -> dict[str, Any]:
     if (row := last[ANCHORED]) is not None:
         common["camber"] = float(history.u[row, 5 * setup.mesh.control + 3])
     return common
+
+
+def _states(
+    run: "Run", rows: NDArray[np.int64], tendon: dict[str, TendonState], peak: int | None = None
+) -> dict[str, Any]:
+    """Tendon and cracks at the peak, a row of the curve, if there is one, and at the end if that is another
+    row."""
+    at = {ANCHORED: int(rows[0])}
+    at |= {} if peak is None else {PEAK: int(rows[peak])}
+    at |= {} if peak == len(rows) - 1 else {END: int(rows[-1])}
+    model, u = run.rig.case.model, run.rig.case.history.u
+    cracks = cracks_at(model, u, list(at.values()), gross_section(run.setup.member).thickness)
+    later = {stage: _tendon_state(run, row) for stage, row in at.items() if stage not in tendon}
+    return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 
 
 def _last_row(run: "Run", stage: int) -> int:

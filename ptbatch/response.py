@@ -1,6 +1,7 @@
 """What an analysis returns: the curve, the tendon at the stages, the events, and how it ended."""
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from ptbatch.member import Member
 
 Array = NDArray[np.float64]
 
-JACKED, SET, ANCHORED, PEAK = "jacked", "set", "anchored", "peak"
+JACKED, SET, ANCHORED, PEAK, END = STAGES = "jacked", "set", "anchored", "peak", "end"
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,14 @@ class Event:
     place: float
 
 
+class Crack(NamedTuple):
+    """A cracked stretch of the section at x: its upper and lower depth below the top fibre [mm]."""
+
+    x: float
+    top: float
+    bottom: float
+
+
 @dataclass(frozen=True)
 class Curve:
     """Service stage, one row a recorded step from the anchored state on (steps,).
@@ -74,8 +83,9 @@ class Curve:
 
 @dataclass(frozen=True)
 class Response:
-    """Result of one member. Stages that were not reached are missing from `tendon`; `curve` is None before
-    the service stage.
+    """Result of one member. Stages that were not reached are missing from `tendon` and `cracks` (which has
+    the anchored state, the peak and the end), and so is an end that is the peak itself; `curve` is None
+    before the service stage.
 
     status: ok, warning or not converged. elongation_before and elongation_after in mm, summed over live ends;
     camber in mm, up positive.
@@ -91,6 +101,7 @@ class Response:
     elongation_after: float | None = None
     set_length: float | None = None
     camber: float | None = None
+    cracks: dict[str, tuple[Crack, ...]] = field(default_factory=dict)
     curve: Curve | None = None
     events: tuple[Event, ...] = ()
     failure: str = ""

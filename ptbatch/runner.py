@@ -6,7 +6,7 @@ from time import perf_counter
 from typing import Any
 
 from ptbatch.member import Member
-from ptbatch.workbook.results import CURVES, SUMMARY, TENDON, Outcome
+from ptbatch.workbook.results import CRACKS, CURVES, SUMMARY, TENDON, Outcome
 
 Progress = Callable[[int, int, str], None]  # rows done, rows in all, the member just finished
 NOT_ANALYSED = "not analysed: internal error"
@@ -32,7 +32,7 @@ def run_members(members: Sequence[Member], jobs: int = 1, progress: Progress | N
 def _engine() -> Callable[[Member], Outcome]:
     """The analysis of one member; what it needs is imported here, before any thread starts."""
     from ptbatch.analysis import analyse
-    from ptbatch.tables import curve_rows, summary_row, tendon_rows
+    from ptbatch.tables import crack_rows, curve_rows, summary_row, tendon_rows
 
     def run(member: Member) -> Outcome:
         start = perf_counter()
@@ -45,6 +45,7 @@ def _engine() -> Callable[[Member], Outcome]:
                 {header: summary[header] for header in SUMMARY},
                 [_checked(row, TENDON) for row in tendon_rows(member, response)],
                 [_checked(row, CURVES) for row in curve_rows(member, response)],
+                [_checked(row, CRACKS) for row in crack_rows(member, response)],
             )
         except Exception as error:
             return _crashed(error)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ptbatch.member import Member
-from ptbatch.response import ANCHORED, JACKED, PEAK, SET, Event, Response, TendonState
+from ptbatch.response import ANCHORED, JACKED, PEAK, SET, STAGES, Event, Response, TendonState
 
 Value = float | str
 Row = dict[str, Value]
@@ -32,7 +32,7 @@ def summary_row(member: Member, response: Response) -> Row:
     row |= _capacity(response)
     row["residual_max"] = response.residual_max
     row["newton_iterations"] = response.newton_iterations
-    return row
+    return row | _failure(response)
 
 
 def _capacity(response: Response) -> Row:
@@ -56,6 +56,17 @@ def _capacity(response: Response) -> Row:
         "tendon_stress_peak_max [MPa]": at_peak.most,
         "failure": response.failure,
     }
+
+
+def _failure(response: Response) -> Row:
+    """Where and under how much live load the first material reached its limit strain."""
+    names = ("failure_x [mm]", "failure_load [kN]", "failure_deflection [mm]")
+    if response.event("peak") is None:
+        return dict.fromkeys(names, _not_reached(response))
+    event = response.event(response.failure)
+    if event is None:
+        return dict.fromkeys(names, "no material reached its limit")
+    return dict(zip(names, (event.place, event.load / 1e3, event.deflection), strict=True))
 
 
 def _not_reached(response: Response) -> str:
@@ -118,7 +129,7 @@ def tendon_rows(member: Member, response: Response) -> Iterator[Row]:
     """Rows of `tendon`: one an anchor and one a tendon element, for each stage."""
     losses, end = response.losses, member.total_length
     analytic = {JACKED: losses.stress_jacked, SET: losses.stress_anchored, ANCHORED: losses.stress_anchored}
-    for stage in (JACKED, SET, ANCHORED, PEAK):
+    for stage in STAGES:
         state = response.tendon.get(stage)
         if state is None:
             continue
@@ -156,3 +167,20 @@ def curve_rows(member: Member, response: Response) -> Iterator[Row]:
             "tendon_stress_max [MPa]": float(curve.stress_max[i]),
             "event": ", ".join(events),
         }
+
+
+def crack_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `cracks`: one a cracked stretch of a section, at each stage that was looked at."""
+    curve, peak = response.curve, response.event("peak")
+    for stage, cracks in response.cracks.items():
+        assert curve is not None  # cracks are told of members that reached the live load
+        step = {ANCHORED: 0, PEAK: round(peak.step) if peak else 0}.get(stage, len(curve.load) - 1)
+        for crack in cracks:
+            yield {
+                "member": member.member,
+                "stage": stage,
+                "step": step,
+                "x [mm]": crack.x,
+                "crack_from [mm]": crack.top,
+                "crack_to [mm]": crack.bottom,
+            }

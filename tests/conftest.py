@@ -48,7 +48,7 @@ def book(tmp_path):
 @pytest.fixture
 def engine(monkeypatch):
     """Stands in for the analysis: members named crash raise, those named stuck do not converge."""
-    from ptbatch.workbook.results import CURVES, SUMMARY, TENDON
+    from ptbatch.workbook.results import CRACKS, CURVES, SUMMARY, TENDON
 
     def analyse(member):
         if member.member == "crash":
@@ -67,6 +67,7 @@ def engine(monkeypatch):
         "tables": {
             "summary_row": summary_row,
             "tendon_rows": lambda member, response: [dict.fromkeys(TENDON, 1.0) | {"stage": "jacked"}],
+            "crack_rows": lambda member, response: [dict.fromkeys(CRACKS, 3.0) | {"stage": "peak"}],
             "curve_rows": lambda member, response: [dict.fromkeys(CURVES, 2.0) | {"event": "peak"}] * 2,
         },
     }

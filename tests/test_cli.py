@@ -134,7 +134,7 @@ def test_template(tmp_path):
 
 
 def test_help_names_the_exit_codes(capsys):
-    for args in (["--help"], ["run", "-h"], ["check", "--help"]):
+    for args in (["--help"], ["run", "-h"], ["check", "--help"], ["plot", "-h"]):
         assert exit_code(args) == 0
         out = capsys.readouterr().out
         assert all(f"\n    {code} " in out for code in (0, 1, 2, 3, 4, 70))
@@ -143,7 +143,7 @@ def test_help_names_the_exit_codes(capsys):
 
 @pytest.mark.parametrize("code", ["import ptbatch", "from ptbatch.cli import exit_code; exit_code(['-h'])"])
 def test_help_is_light(code):
-    check = "import sys; print([m for m in ('numba', 'numpy', 'pandas', 'openpyxl') if m in sys.modules])"
+    check = "import sys; print([m for m in ('numba', 'numpy', 'matplotlib', 'openpyxl') if m in sys.modules])"
     done = subprocess.run(
         [sys.executable, "-c", f"{code}; {check}"],
         capture_output=True,

@@ -46,15 +46,11 @@ def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
 
 
 def held_nodes(member: Member, x: Array) -> list[tuple[int, bool, bool, bool]]:
-    """(node, u held, v held, theta held) of every support; if no end holds u, the first interior support
-    does."""
+    """(node, u held, v held, theta held) of every support."""
     nodes = [int(np.argmin(np.abs(x - place))) for place in member.support_x]
-    kinds = [member.support_left, *["roller"] * (len(nodes) - 2), member.support_right]
-    if not {"pin", "fixed"} & {kinds[0], kinds[-1]} and len(kinds) > 2:
-        kinds[1] = "pin"
     return [
         (node, kind in ("pin", "fixed"), True, kind == "fixed")
-        for node, kind in zip(nodes, kinds, strict=True)
+        for node, kind in zip(nodes, member.supports, strict=True)
         if kind != "free"
     ]
 

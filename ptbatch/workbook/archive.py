@@ -15,27 +15,29 @@ _FORMULA = re.compile(rb"<(\w+:)?f[\s/>]")
 _CHUNK, _OVERLAP = 2**20, 64
 
 
-def check_file(file: BinaryIO) -> None:
-    """Raise ReadError unless this looks like an xlsx workbook of bearable size."""
+def check_file(file: BinaryIO, bounds: int = 1) -> None:
+    """Raise ReadError unless this looks like an xlsx workbook of bearable size: `bounds` times that of an
+    input."""
     start = file.read(4)
     size = file.seek(0, 2)
-    if size > MAX_FILE:
-        raise ReadError(f"the file is larger than {MAX_FILE // 2**20} MB; keep only the sheets with members")
+    if size > bounds * MAX_FILE:
+        limit = bounds * MAX_FILE // 2**20
+        raise ReadError(f"the file is larger than {limit} MB; keep only the sheets with members")
     if start == _OLE:
         raise ReadError("the file is password-protected or in the old .xls format; save it as plain .xlsx")
     try:
-        _check_parts(ZipFile(file))
+        _check_parts(ZipFile(file), bounds * MAX_UNPACKED)
     except BadZipFile as error:
         raise ReadError("the file is not an Excel workbook; save the table as .xlsx") from error
 
 
-def _check_parts(archive: ZipFile) -> None:
+def _check_parts(archive: ZipFile, most: int) -> None:
     names = archive.namelist()
     if "xl/workbook.xml" not in names:
         raise ReadError("the file is not an .xlsx workbook (ods and xlsb are not read); save it as .xlsx")
     unpacked = sum(info.file_size for info in archive.infolist() if info.filename.endswith((".xml", ".rels")))
-    if unpacked > MAX_UNPACKED:
-        limit = MAX_UNPACKED // 2**20
+    if unpacked > most:
+        limit = most // 2**20
         raise ReadError(f"the workbook unpacks to more than {limit} MB; keep only the sheets with members")
 
 

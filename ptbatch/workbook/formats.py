@@ -3,7 +3,10 @@
 from ptbatch.workbook.units import parse_header
 
 _BY_UNIT = {"MPa": "0.0", "mm": "0.00", "%": "0.00", "kN": "0.0", "kN m": "0.0", "ms": "0"}
-_BY_NAME = {"x": "0", "load_factor": "0.000", "load_factor_peak": "0.000", "residual_max": "0.0E+00"}
+_BY_NAME = {
+    **{"x": "0", "failure_x": "0", "load_factor": "0.000", "load_factor_peak": "0.000"},
+    "residual_max": "0.0E+00",
+}
 _WIDTHS = {
     **{"member": 26, "status": 14, "message": 70, "failure": 20, "event": 20, "stage": 10},
     **{"span": 18, "dp": 28, "note": 60},

@@ -46,7 +46,11 @@ class Inputs:
 
 def read_inputs(path: Path) -> Inputs:
     """Read and validate a workbook. Raises ReadError where there is nothing to validate."""
-    sheets = read_sheets(path, MAIN, [*OPTIONAL_SHEETS, "settings"])
+    return make_inputs(path, read_sheets(path, MAIN, [*OPTIONAL_SHEETS, "settings"]))
+
+
+def make_inputs(path: Path, sheets: dict[str, RawSheet]) -> Inputs:
+    """Validate the raw sheets of a workbook. Raises ReadError where there is nothing to validate."""
     settings = read_settings(sheets.get("settings"))
     table = _members(path, sheets[MAIN], settings)
     names = _rows_by_name(table)

@@ -1,10 +1,10 @@
 """Bounded reading of a workbook into raw cells. Nothing is converted here and nothing is guessed."""
 
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple, TypeVar
 
 from openpyxl import load_workbook
 from openpyxl.utils import get_column_letter
@@ -17,6 +17,7 @@ MAX_COLUMNS = 1_000
 MAX_CELLS = 30_000_000  # blank but formatted ones included
 LAST_ROW = 1_048_576  # of Excel
 
+T = TypeVar("T")
 Formulas = dict[tuple[int, int], str]
 
 
@@ -44,10 +45,18 @@ def address(row: int, column: int) -> str:
 
 def read_sheets(path: Path, main: str, optional: Iterable[str]) -> dict[str, RawSheet]:
     """Raw sheets by the name asked for; the first sheet is main if none has its name. Raises ReadError."""
+    return guarded(path, lambda file: _read(file, main, optional))
+
+
+def guarded(path: Path, reader: Callable[[BinaryIO], T], bounds: int = 1) -> T:
+    """What the reader makes of a file that is a workbook; whatever goes wrong becomes a ReadError.
+
+    bounds: how many times larger than an input the file may be.
+    """
     try:
         with path.open("rb") as file:
-            check_file(file)
-            return _read(file, main, optional)
+            check_file(file, bounds)
+            return reader(file)
     except ReadError as error:
         raise ReadError(f"{path}: {error}") from error
     except OSError as error:
@@ -59,7 +68,7 @@ def read_sheets(path: Path, main: str, optional: Iterable[str]) -> dict[str, Raw
 
 def _read(file: BinaryIO, main: str, optional: Iterable[str]) -> dict[str, RawSheet]:
     formulas = _formulas(file, {main, *optional}) if has_formulas(file) else {}
-    book = _open(file, data_only=True)
+    book = open_book(file)
     if not book.worksheets:
         raise ReadError("the workbook has no worksheet")
     by_name = {_key(sheet.title): sheet for sheet in reversed(book.worksheets)}
@@ -71,7 +80,8 @@ def _read(file: BinaryIO, main: str, optional: Iterable[str]) -> dict[str, RawSh
     }
 
 
-def _open(file: BinaryIO, data_only: bool) -> Any:
+def open_book(file: BinaryIO, data_only: bool = True) -> Any:
+    """The workbook, to be walked through row by row."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about extensions that openpyxl does not keep
         return load_workbook(file, read_only=True, data_only=data_only)
@@ -83,7 +93,7 @@ def _key(title: str) -> str:
 
 def _formulas(file: BinaryIO, names: set[str]) -> dict[str, Formulas]:
     """Text of the formulas, by sheet and place."""
-    book = _open(file, data_only=False)
+    book = open_book(file, data_only=False)
     wanted = [s for i, s in enumerate(book.worksheets) if i == 0 or _key(s.title) in names]
     return {
         sheet.title: {

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ptbatch.workbook.echo import echo
 from ptbatch.workbook.inputs import Inputs
 from ptbatch.workbook.rows import Row
 from ptbatch.workbook.write import Sheet, sayable
@@ -35,6 +36,9 @@ SUMMARY = (
     "residual_max",
     "newton_iterations",
     "time [ms]",
+    "failure_x [mm]",
+    "failure_load [kN]",
+    "failure_deflection [mm]",
 )
 TENDON = ("member", "stage", "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]", "slip [mm]")
 CURVES = (
@@ -49,19 +53,22 @@ CURVES = (
     "tendon_stress_max [MPa]",
     "event",
 )
+CRACKS = ("member", "stage", "step", "x [mm]", "crack_from [mm]", "crack_to [mm]")
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of one member: a summary and rows of the sheets `tendon` and `curves`, by the headers above."""
+    """Result of one member: a summary and rows of the sheets `tendon`, `curves` and `cracks`, by the headers
+    above."""
 
     status: str
     message: str
     summary: Mapping[str, Any]
     tendon: Sequence[Mapping[str, Any]] = ()
     curves: Sequence[Mapping[str, Any]] = ()
+    cracks: Sequence[Mapping[str, Any]] = ()
 
 
 def summary_headers(inputs: Inputs) -> list[str]:
@@ -94,7 +101,9 @@ def result_sheets(
     yield Sheet("summary", summary_headers(inputs), lines)
     yield Sheet("tendon", TENDON, _rows(inputs, outcomes, "tendon", TENDON))
     yield Sheet("curves", CURVES, _rows(inputs, outcomes, "curves", CURVES))
+    yield Sheet("cracks", CRACKS, _rows(inputs, outcomes, "cracks", CRACKS))
     yield Sheet("problems", PROBLEMS, [problem.row() for problem in inputs.all_problems()])
+    yield from echo(row.member for row in inputs.rows if row.member is not None)
     yield Sheet("run", ("name", "value"), list(run.items()))
 
 

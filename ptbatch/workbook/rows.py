@@ -24,13 +24,15 @@ _SHEET_OF = {argument: sheet for sheet, (argument, _) in BUILDERS.items()}
 
 @dataclass(frozen=True)
 class Row:
-    """One row: its member (None where invalid), its problems, the cells of the unknown columns."""
+    """One row: its member (None where invalid), its problems, the cells of the unknown columns, its sound
+    values by column in N, mm, MPa."""
 
     number: int
     name: str
     member: Member | None
     problems: list[Problem]
     extra: tuple[Any, ...]
+    values: Mapping[str, Any]
 
     @property
     def message(self) -> str:
@@ -66,7 +68,7 @@ class RowReader:
             problems += [self._problem(fault, number, attached, True) for fault in member.warnings]
         cells = self.table.rows[number]
         extra = tuple(cells.get(index) for index in self.table.others)
-        return Row(number, name or f"(row {number})", member, problems, extra)
+        return Row(number, name or f"(row {number})", member, problems, extra, values)
 
     def _duplicates(self, number: int, name: str) -> list[Problem]:
         others = [other for other in self.names.get(name, []) if other != number]

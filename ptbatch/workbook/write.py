@@ -105,6 +105,7 @@ def _cell(page: Any, value: Any, form: str) -> Any:
         cell.quotePrefix = value[:1] in ("=", "+", "-", "@")
     elif isinstance(value, float):
         cell.number_format = form
+        cell._value = repr(value)  # openpyxl itself writes 16 digits, which may be one too few
     return cell
 
 

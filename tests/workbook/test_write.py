@@ -127,7 +127,8 @@ def test_results(book, beam, engine):
     batch = run_workbook(source, jobs=2)
     assert source.read_bytes() == before
     assert batch.path == results_path(source) == source.with_name("beams.results.xlsx")
-    assert load_workbook(batch.path).sheetnames == ["summary", "tendon", "curves", "problems", "run"]
+    sheets = ["summary", "tendon", "curves", "cracks", "problems", "members", "run"]
+    assert load_workbook(batch.path).sheetnames == sheets
     summary = sheet(batch.path, "summary")
     assert list(summary[0]) == ["member", "status", "message", *SUMMARY, "note", "Status"]
     assert [row["status"] for row in summary] == ["ok", "invalid", "not converged", "warning"]

@@ -1,0 +1,5 @@
+"""Figures of members, from a results workbook or, before any analysis, from an input one."""
+
+from ptbatch.plots.drawing import Drawn as Drawn
+from ptbatch.plots.drawing import draw as draw
+from ptbatch.plots.drawing import draw_geometry as draw_geometry

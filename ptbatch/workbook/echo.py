@@ -1,0 +1,73 @@
+"""The members of a run as they were analysed, every default filled in: sheets that can be read as input.
+
+Headers stand in the program's SI units, and numbers are those that make the same member when they are read.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import inf, nextafter
+from typing import Any
+
+from ptbatch.member import Member
+from ptbatch.workbook.column import LISTS, UNITS, Column
+from ptbatch.workbook.columns import MEMBERS
+from ptbatch.workbook.joined import BUILDERS
+from ptbatch.workbook.optional import OPTIONAL_SHEETS
+from ptbatch.workbook.units import factor
+from ptbatch.workbook.write import Sheet
+
+ECHOED = tuple(column for column in MEMBERS if column.name in Member.__dataclass_fields__)  # all but k_ec2
+EITHER = "force or line load"
+QUANTITIES = {"point": "force", "uniform": "line load"}  # of a load by its type
+
+
+def echo(members: Iterable[Member]) -> Iterator[Sheet]:
+    """Sheet `members`, and of `profile`, `rebar` and `loads` those that a member uses."""
+    members = list(members)
+    yield Sheet("members", list(map(_header, ECHOED)), [_line(ECHOED, vars(member)) for member in members])
+    for name, columns in OPTIONAL_SHEETS.items():
+        rows = [
+            _line(columns, {"member": member.member} | item._asdict())
+            for member in members
+            for item in getattr(member, BUILDERS[name][0])
+        ]
+        if rows:
+            yield Sheet(name, list(map(_header, columns)), rows)
+
+
+def _header(column: Column) -> str:
+    """Name and unit; a column of loads names no unit, which is then kN or kN/m as the row needs."""
+    return column.name if column.quantity == EITHER else column.header("SI")
+
+
+def _line(columns: Sequence[Column], values: Mapping[str, Any]) -> list[Any]:
+    either = QUANTITIES.get(values.get("type", ""), "")
+    return [
+        _cell(column, values[column.name], either if column.quantity == EITHER else column.quantity)
+        for column in columns
+    ]
+
+
+def _cell(column: Column, value: Any, quantity: str) -> Any:
+    """A value as it is typed: nothing for None or an empty list, a text for several numbers."""
+    if value is None or isinstance(value, str):
+        return value
+    if column.kind == "yesno":
+        return "yes" if value else "no"
+    unit = factor(quantity, UNITS[quantity][0])
+    if column.kind not in LISTS:
+        return _typed(value, unit)
+    numbers = [_typed(number, unit) for number in value]
+    return "; ".join(map(_shortest, numbers)) if len(numbers) > 1 else next(iter(numbers), None)
+
+
+def _typed(value: float, unit: float) -> float:
+    """The shortest of the nearest numbers that gives exactly this value in the unit, if one does."""
+    if unit == 1.0:
+        return value
+    number = value / unit
+    near = (float(f"{number:.15g}"), number, nextafter(number, inf), nextafter(number, -inf))
+    return next((n for n in near if n * unit == value), number)
+
+
+def _shortest(number: float) -> str:
+    return repr(number).removesuffix(".0")

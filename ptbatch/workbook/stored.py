@@ -1,0 +1,129 @@
+"""What a results workbook holds of some of its members, read back."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ptbatch.errors import ReadError, UnknownMemberError
+from ptbatch.member import Member
+from ptbatch.validation import likely
+from ptbatch.workbook.inputs import MAIN, make_inputs
+from ptbatch.workbook.optional import OPTIONAL_SHEETS
+from ptbatch.workbook.read import RawSheet, guarded, open_book
+
+BOUNDS = 8  # results may be that many times larger than an input
+TABLES = ("tendon", "curves", "cracks")
+
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of one sheet that belong to one member, by header."""
+
+    rows: list[Row] = field(default_factory=list)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def stage(self, name: str) -> "Table":
+        """The rows of one stage."""
+        return Table([row for row in self.rows if row["stage"] == name])
+
+    def numbers(self, header: str) -> NDArray[np.float64]:
+        """A column; nan where a text says why there is no number."""
+        return np.array([number(row.get(header)) for row in self.rows])
+
+
+@dataclass(frozen=True)
+class Stored:
+    """Results of one member as they stand in the workbook. member is None where its row was invalid; tables
+    are empty where the analysis did not get that far."""
+
+    summary: Row
+    member: Member | None
+    tendon: Table
+    curves: Table
+    cracks: Table
+
+    @property
+    def name(self) -> str:
+        """Name of the member."""
+        return str(self.summary["member"])
+
+    def value(self, header: str) -> float:
+        """A number of the summary; nan where a text says why there is none."""
+        return number(self.summary.get(header))
+
+
+def number(value: Any) -> float:
+    """The value if it is a number, else nan."""
+    return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else np.nan
+
+
+def read_stored(path: Path, names: Sequence[str]) -> list[Stored]:
+    """Results of the named members, in that order. Raises ReadError, UnknownMemberError."""
+    summary, tables, raw = guarded(path, lambda file: _read(file, set(names)), BOUNDS)
+    for name in names:
+        if name not in summary:
+            raise UnknownMemberError(f"there is no member {name}; {likely(name, summary)}")
+    members = _members(path, raw)
+    return [
+        Stored(
+            summary[name],
+            members.get(name),
+            *(Table([row for row in tables[sheet] if row["member"] == name]) for sheet in TABLES),
+        )
+        for name in names
+    ]
+
+
+def _read(
+    file: BinaryIO, wanted: set[str]
+) -> tuple[dict[str, Row], dict[str, list[Row]], dict[str, RawSheet]]:
+    """All rows of the summary by member; rows of the wanted members of the other sheets, as read and raw."""
+    book = open_book(file)
+    if "summary" not in book.sheetnames:
+        raise ReadError("these are no results: there is no sheet summary; --geometry draws an input workbook")
+    summary: dict[str, Row] = {}
+    for row in _rows(book, "summary"):
+        summary.setdefault(str(row["member"]), row)
+    tables = {name: [row for row in _rows(book, name) if row["member"] in wanted] for name in TABLES}
+    return summary, tables, {name: _raw(book[name], wanted) for name in _echoed(book)}
+
+
+def _echoed(book: Any) -> Iterable[str]:
+    return [name for name in (MAIN, *OPTIONAL_SHEETS) if name in book.sheetnames]
+
+
+def _rows(book: Any, name: str) -> Iterator[Row]:
+    """Rows of a sheet by header; none if there is no such sheet."""
+    if name not in book.sheetnames:
+        return
+    rows = book[name].iter_rows(values_only=True)
+    headers = next(rows, ())
+    if "member" not in headers:
+        raise ReadError(f"sheet {name} has no column member; run the input again for whole results")
+    for row in rows:
+        yield dict(zip(headers, row, strict=False))
+
+
+def _raw(sheet: Any, wanted: set[str]) -> RawSheet:
+    """Header and rows of the wanted members (their name stands in the first column)."""
+    rows = {
+        number: {column: value for column, value in enumerate(row, 1) if value is not None}
+        for number, row in enumerate(sheet.iter_rows(values_only=True), 1)
+        if number == 1 or str(row[0]) in wanted
+    }
+    return RawSheet(sheet.title, rows)
+
+
+def _members(path: Path, raw: dict[str, RawSheet]) -> dict[str, Member]:
+    """The members as they were analysed."""
+    if len(raw.get(MAIN, RawSheet("", {})).rows) < 2:
+        return {}
+    return {row.name: row.member for row in make_inputs(path, raw).rows if row.member is not None}
