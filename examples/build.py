@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from examples.paper import paper_members, profile_rows
+from examples.paper import PUBLISHED_HEADERS, paper_members, profile_rows, published_rows
 from examples.paper.members import Row, cooke_slabs, imaginary_beam, specimens, tao_and_du
 from ptbatch.workbook.column import System
 from ptbatch.workbook.columns import MEMBERS, NOTE
@@ -21,7 +21,7 @@ from ptbatch.workbook.write import Sheet, write_workbook
 
 ROOT = Path(__file__).parent.parent
 EXAMPLE = "examples/beams.xlsx"
-PAPER = "examples/paper.xlsx"
+PAPER, PUBLISHED = "examples/paper.xlsx", "examples/paper-published.xlsx"
 TEMPLATES: dict[System, str] = {"SI": "templates/members-SI.xlsx", "US": "templates/members-US.xlsx"}
 US_UNITS = ("in]", "in2]", "ft]", "ksi]")
 CREATED = b"2025-01-01T00:00:00Z"  # of every shipped file
@@ -86,13 +86,15 @@ def sheet(name: str, headers: Sequence[str], rows: Iterable[Row]) -> Sheet:
 
 def build(root: Path = ROOT) -> list[Path]:
     """Write the workbooks below a folder, in place of those that are there, and return their paths."""
-    example, paper, *templates = paths = [root / name for name in (EXAMPLE, PAPER, *TEMPLATES.values())]
+    names = (EXAMPLE, PAPER, PUBLISHED, *TEMPLATES.values())
+    example, paper, published, *templates = paths = [root / name for name in names]
     for path in paths:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)
     write_workbook(example, [members(beams())])
     profile = list(profile_rows())
     write_workbook(paper, [members(paper_members()), sheet("profile", list(profile[0]), profile)])
+    write_workbook(published, [sheet("published", PUBLISHED_HEADERS, published_rows())])
     for path, system in zip(templates, TEMPLATES, strict=True):
         write_template(path, system)
     for path in paths:

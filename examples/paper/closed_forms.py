@@ -14,7 +14,7 @@ RIGID: Row = {
     "self_weight": "no",
     "deflection_limit [mm]": 0.01,  # how a rigid beam is loaded is of no interest
 }
-KINKS, FAN = 15, 0.6  # of the 90-ft tendon: number of its kinks, all that they turn [rad]
+KINKS, FAN = 45, 0.6  # of the 90-ft tendon: number of its kinks, all that they turn [rad]
 
 
 def rigid(row: Row, member: str, note: str) -> Row:
@@ -72,8 +72,8 @@ def tendon_of_90_ft() -> Row:
         "set [in]": 0.375,
         "mu [1/rad]": 0.25,
         "K [1/ft]": 0.0002,
-        "note": "Profile: made up, 15 kinks of 0.04 rad every 6 ft along the tendon, so that each 30 ft of "
-        "it turn by 0.2 rad and it is 90 ft long; see the sheet profile.",
+        "note": "Profile: made up, 45 equal kinks every 2 ft along the tendon, so that each 30 ft of it turn by "
+        "0.2 rad and it is 90 ft long; see the sheet profile.",
     }
 
 
@@ -87,6 +87,15 @@ def fan() -> list[tuple[float, float]]:
         x.append(x[-1] + length * cos(slope))
         depth.append(depth[-1] + length * sin(slope))
     return list(zip(x, depth, strict=True))
+
+
+def fan_x(along: float) -> float:
+    """x [ft] at a length [ft] along that tendon."""
+    piece = 90.0 / KINKS
+    ends = [0.0, *(piece * (i + 0.5) for i in range(KINKS)), 90.0]
+    i = next(i for i, end in enumerate(ends[1:]) if along <= end)
+    (x, _), (x_next, _) = fan()[i : i + 2]
+    return x + (x_next - x) * (along - ends[i]) / (ends[i + 1] - ends[i])
 
 
 def prism() -> Row:
@@ -150,10 +159,11 @@ def sections() -> list[Row]:
         "dp [mm]": 500,
         "fpe [MPa]": 1100,
         **{"set [mm]": 0, "mu [1/rad]": 0, "K [1/m]": 0},
-        "live": "third-points",
         "note": "Section strengths: structuralcodes 0.7.2.",
     }
-    return [{"member": f"300 x 600, {bond}", **beam, "bond": bond} for bond in ("bonded", "unbonded")]
+    # Two loads would bring the unbonded tendon to yield as well, along the whole middle third.
+    live = {"bonded": "third-points", "unbonded": "midspan"}
+    return [{"member": f"300 x 600, {bond}", **beam, "bond": bond, "live": live[bond]} for bond in live]
 
 
 def closed_forms() -> list[Row]:

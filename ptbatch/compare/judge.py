@@ -1,0 +1,123 @@
+"""One entry against the results: pass, fail, or not reproducible."""
+
+from ptbatch.compare.entry import FAIL, NOT_REPRODUCIBLE, PASS, Entry, Line, Query, Value, Verdict
+from ptbatch.compare.results import NoValueError, Results
+from ptbatch.workbook.units import UnitError, conversion
+
+STALE = "marked as not reproducible, but it is met: take the mark away"
+
+
+def judge(entry: Entry, results: Results, rtol: float) -> Line:
+    """The line of an entry. rtol: for numbers that come without a tolerance."""
+    try:
+        ours, unit = measured(entry, results)
+    except NoValueError as none:
+        return line(entry, None, entry.of.unit, rtol, FAIL, str(none))
+    return weigh(entry, ours, unit, rtol)
+
+
+def weigh(entry: Entry, ours: Value, unit: str, rtol: float) -> Line:
+    """The line of an entry for our value, which is in its unit.
+
+    Passes: within the larger of atol and rtol times the value; beyond a bound by no more than that. An entry
+    marked as not reproducible needs a number of ours all the same: the mark excuses its size, nothing else.
+    """
+    wrong = _wrong(entry, ours, rtol)
+    if not entry.not_reproducible:
+        return line(entry, ours, unit, rtol, FAIL if wrong else PASS, wrong)
+    if isinstance(ours, str):
+        return line(entry, ours, unit, rtol, FAIL, f"the results say: {ours or 'nothing'}")
+    if not wrong:
+        return line(entry, ours, unit, rtol, PASS, STALE)
+    return line(entry, ours, unit, rtol, NOT_REPRODUCIBLE, entry.not_reproducible)
+
+
+def line(entry: Entry, ours: Value | None, unit: str, rtol: float, verdict: Verdict, because: str) -> Line:
+    """A line of the report."""
+    return Line(
+        case=entry.case,
+        member=entry.of.member,
+        what=entry.what,
+        ours=ours,
+        theirs=entry.value,
+        unit=unit,
+        tolerance=_tolerance_text(entry, rtol),
+        verdict=verdict,
+        because=because,
+        kind=entry.kind,
+        source=entry.source,
+        note=entry.note,
+        figures=entry.figures,
+    )
+
+
+def measured(entry: Entry, results: Results) -> tuple[Value, str]:
+    """What the results say, and its unit: that of the entry or else theirs. Raises NoValueError."""
+    ours, unit = _in_unit(entry.of, entry.of.unit, results)
+    if entry.against is None:
+        return ours, unit
+    other, _ = _in_unit(entry.against, unit, results)
+    for value, query in ((ours, entry.of), (other, entry.against)):
+        if isinstance(value, str):
+            raise NoValueError(f"{query.name} of {query.member} is no number but: {value}")
+    assert not isinstance(ours, str) and not isinstance(other, str)
+    if entry.how == "difference":
+        return ours - other, unit
+    if other == 0.0:
+        raise NoValueError(f"there is no ratio to {entry.against}, which is zero")
+    return ours / other, ""
+
+
+def _in_unit(query: Query, unit: str, results: Results) -> tuple[Value, str]:
+    """A value in this unit, in that of the results where it is empty."""
+    value, own = results.look_up(query)
+    if isinstance(value, str) or not unit:
+        return value, own
+    try:
+        return value * conversion(own, unit), unit
+    except UnitError as error:
+        raise NoValueError(f"{query.name} is in {own or 'no unit'}: {error}") from error
+
+
+def _wrong(entry: Entry, ours: Value, rtol: float) -> str:
+    """What is wrong with our value, empty if it passes."""
+    theirs = entry.value
+    if theirs is None:
+        return "no number is printed"
+    if isinstance(ours, str) or isinstance(theirs, str):
+        return "" if str(ours).casefold() == str(theirs).casefold() else _text_differs(ours, theirs)
+    allowed = tolerance(entry, rtol)
+    if entry.bound == "at least":
+        return "" if ours >= theirs - allowed else f"less by {theirs - ours:.3g}"
+    if entry.bound == "at most":
+        return "" if ours <= theirs + allowed else f"more by {ours - theirs:.3g}"
+    off = abs(ours - theirs)
+    return "" if off <= allowed else f"off by {off:.3g}" + (f" ({off / abs(theirs):.2%})" if theirs else "")
+
+
+def _text_differs(ours: Value, theirs: Value) -> str:
+    if isinstance(ours, str):
+        return f"the results say: {ours or 'nothing'}"
+    return f"a number in the results, a text in the table: {theirs}"
+
+
+def tolerance(entry: Entry, rtol: float) -> float:
+    """Allowed deviation from a number; none from a bound that comes without."""
+    if entry.rtol is None and entry.atol is None:
+        entry_rtol, atol = (rtol if entry.bound == "equal" else 0.0), 0.0
+    else:
+        entry_rtol, atol = entry.rtol or 0.0, entry.atol or 0.0
+    assert not isinstance(entry.value, str | None)
+    return max(atol, entry_rtol * abs(entry.value))
+
+
+def _tolerance_text(entry: Entry, rtol: float) -> str:
+    """`± 0.5 or 2 %`, `at least`."""
+    if isinstance(entry.value, str | None):
+        return ""
+    parts = [f"{entry.atol:.6g}"] if entry.atol else []
+    parts += [f"{100.0 * entry.rtol:.4g} %"] if entry.rtol else []
+    if entry.bound != "equal":
+        return entry.bound + (f", less {' or '.join(parts)}" if parts else "")
+    given = entry.atol is not None or entry.rtol is not None
+    return f"± {' or '.join(parts) or ('0' if given else f'{100.0 * rtol:.4g} %')}"
