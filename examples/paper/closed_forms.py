@@ -72,8 +72,8 @@ def tendon_of_90_ft() -> Row:
         "set [in]": 0.375,
         "mu [1/rad]": 0.25,
         "K [1/ft]": 0.0002,
-        "note": "Profile: made up, 45 equal kinks every 2 ft along the tendon, so that each 30 ft of it turn by "
-        "0.2 rad and it is 90 ft long; see the sheet profile.",
+        "note": "Profile: made up, 45 equal kinks every 2 ft along the tendon, so that each 30 ft of it "
+        "turn by 0.2 rad and it is 90 ft long; see the sheet profile.",
     }
 
 

@@ -1,6 +1,14 @@
 """Table 1 of the paper, its text on the imaginary beam, and the closed forms of the members in it."""
 
-from examples.paper.entries import COULOMB, EQ_38, MIRROR, closed_form, losses_along, published, set_loss_ratio
+from examples.paper.entries import (
+    COULOMB,
+    EQ_38,
+    MIRROR,
+    closed_form,
+    losses_along,
+    published,
+    set_loss_ratio,
+)
 from examples.paper.members import Row
 
 TABLE = "Huang and Kang (2018), Table 1"
@@ -13,12 +21,12 @@ COLUMNS = (
 BEAM = "Imaginary beam"
 
 NO_SUCH_SET = (
-    "the printed set of 0.5 mm makes 2.82 % (2.81 % by Coulomb friction): area between the curves = Ep set. {} % "
-    "would need a set of {} mm"
+    "area between the curves = Ep set: the printed set of 0.5 mm makes 2.82 % (2.81 % by Coulomb friction); "
+    "{} % would need {} mm"
 )
 NO_SUCH_ANGLE = (
-    "1 - exp(-mu alpha) with mu = 0.3 and alpha = 2 atan(4 x 279 / 15200) = 0.1466 rad is 4.30 %. {} % would need "
-    "{} rad"
+    "1 - exp(-mu alpha) with mu = 0.3 and alpha = 2 atan(4 x 279 / 15200) = 0.1466 rad is 4.30 %; "
+    "{} % would need {} rad"
 )
 # Specimen, set in inches: the row of Table 1, analytical and FEA at the jack, then at the fixed end.
 SPECIMENS = {
@@ -37,12 +45,12 @@ EXACT = {
 # What set the closed form needs for the FEA column of Specimen 2.
 NEEDED_SET = {0.05: (1.27, 1.58), 0.125: (3.18, 3.54)}
 RECONSTRUCTED = (
-    "0.2 percentage points: the paper does not print the profile; the one reconstructed from its six analytical "
-    "numbers meets them within 0.17"
+    "0.2 percentage points: the paper does not print the profile; the one reconstructed from its six "
+    "analytical numbers meets them within 0.17"
 )
 OF_FEA = (
-    "0.5 percentage points: the profile is reconstructed, fc and bars are assumed, and wobble is friction per "
-    "length here, a wave on the profile there"
+    "0.5 percentage points: the profile is reconstructed, fc and bars are assumed, and wobble is friction "
+    "per length here, a wave on the profile there"
 )
 
 
@@ -68,13 +76,14 @@ def imaginary_beam() -> list[Row]:
         for quantity, value, reason in zip(COLUMNS, (3.5, 3.2, 4.2, 4.9), reasons, strict=True)
     ]
     text = published(
-        BEAM, member, "stress_fe [MPa]", 68.4, "Huang and Kang (2018), text: frictional loss of the FEA at the fixed end",
+        BEAM, member, "stress_fe [MPa]", 68.4, "Huang and Kang (2018), text: friction loss of the FEA at the end",
         stage="jacked", x=0, how="difference", against_x=15200, atol=0.05,
-        not_reproducible="the closed form on the rigid beam is 60.5 MPa = 4.30 % of 1407 MPa, and the camber of the "
-        "real one takes off another 1.7 MPa; 68.4 MPa is 4.86 %, more than the tendon turns for",
+        not_reproducible="the closed form on the rigid beam is 60.5 MPa = 4.30 % of 1407 MPa, and the camber of "
+        "the real one takes 1.7 MPa off; 68.4 MPa is 4.86 %, more than the tendon turns for",
     )  # fmt: skip
     exact = [
-        closed_form(BEAM, member, "loss_fixed_end_analytic [%]", 4.3021, f"{EQ_38}: 1 - exp(-0.3 x 2 atan(4 x 279 / 15200))", atol=1e-4),
+        closed_form(BEAM, member, "loss_fixed_end_analytic [%]", 4.3021,
+                    f"{EQ_38}: 1 - exp(-0.3 x 2 atan(4 x 279 / 15200))", atol=1e-4),
         closed_form(BEAM, member, "loss_jacking_end_analytic [%]", 2.8204, MIRROR, atol=1e-4),
         closed_form(BEAM, member, "set_length_analytic [mm]", 4919.9, MIRROR, atol=0.1),
     ]  # fmt: skip
@@ -87,8 +96,8 @@ def meshes() -> list[Row]:
     limits = {"loss_fixed_end_fe [%]": 0.05, "loss_jacking_end_fe [%]": 0.1}
     return [
         published(
-            f"{BEAM}, meshes", f"{BEAM}, {n} el.", quantity, 0, source, how="difference", against=f"{BEAM}, 20 el.",
-            atol=limit, note=f"Negligible: {limit} percentage points.",
+            f"{BEAM}, meshes", f"{BEAM}, {n} el.", quantity, 0, source, how="difference",
+            against=f"{BEAM}, 20 el.", atol=limit, note=f"Negligible: {limit} percentage points.",
         )
         for quantity, limit in limits.items() for n in (40, 60)
     ]  # fmt: skip
@@ -115,9 +124,9 @@ def specimen(name: str, wedge_set: float, printed: tuple[float, ...]) -> list[Ro
         if name == "Specimen 2" and quantity == "loss_jacking_end_fe [%]":
             given, needed = NEEDED_SET[wedge_set]
             others["not_reproducible"] = (
-                f"the paper's own analytical number is {printed[0]} %, which is met; {value} % would need a set of "
-                f"{needed} mm in place of {given}, or more friction near the jack while less is lost at the far end: "
-                "its wobble is a wave on the profile, of which it prints neither length nor phase"
+                f"the paper's own analytical number is {printed[0]} %, which is met; {value} % would need a set "
+                f"of {needed} mm in place of {given}, or more friction near the jack while less is lost at the "
+                "far end: its wobble is a wave on the profile, of which it prints neither length nor phase"
             )
         rows.append(published(name, f"{name}, set {wedge_set:g} in", quantity, value, TABLE, **others))
     return rows

@@ -7,7 +7,8 @@ from ptbatch.workbook.columns import NOTE
 COLUMNS = (
     Column("case", "heading under which the report puts the entry; blank: the member", "text"),
     Column("member", "name in the results", "text", required=True),
-    Column("quantity", "a header of summary, tendon or curves, with the unit of the value", "text", required=True),
+    Column("quantity", "a header of summary, tendon or curves, with the unit of the value", "text",
+           required=True),
     Column("stage", "tendon: stage", "choice", choices=(JACKED, SET, ANCHORED, PEAK)),
     Column("x", "tendon: place, interpolated", quantity="length", limit="not negative"),
     Column("deflection", "curves: where the deflection first reaches this", quantity="length", limit="any"),

@@ -63,7 +63,7 @@ class Entry:
         """What is compared, in words."""
         if self.against is None:
             return str(self.of)
-        words = {"ratio": "/", "difference": "-"}
+        words = {"ratio": "/", "difference": "less"}
         return f"{self.of} {words[self.how]} {_different(self.against, self.of)}"
 
 

@@ -92,7 +92,8 @@ def _wrong(entry: Entry, ours: Value, rtol: float) -> str:
     if entry.bound == "at most":
         return "" if ours <= theirs + allowed else f"more by {ours - theirs:.3g}"
     off = abs(ours - theirs)
-    return "" if off <= allowed else f"off by {off:.3g}" + (f" ({off / abs(theirs):.2%})" if theirs else "")
+    share = f" ({100.0 * off / abs(theirs):.2g} %)" if theirs else ""
+    return "" if off <= allowed else f"off by {off:.3g}{share}"
 
 
 def _text_differs(ours: Value, theirs: Value) -> str:

@@ -13,7 +13,7 @@ _RULE = ("---", "--:", "--:", "--:", "---", "---", "---")
 
 
 def write_markdown(path: Path, lines: Sequence[Line], results: Path, published: Path) -> None:
-    """Write the report; its numbers to six digits, no date and no machine. Raises WriteError."""
+    """Write the report; its numbers to seven digits, no date and no machine. Raises WriteError."""
     text = "\n".join(_report(lines, path, f"ptbatch compare {results.name} {published.name}"))
     try:
         path.write_text(text + "\n", encoding="utf-8")

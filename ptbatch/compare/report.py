@@ -67,9 +67,9 @@ def _shown(line: Line) -> tuple[str, ...]:
 
 
 def number(value: Value | None) -> str:
-    """A number to six digits, a text shortened, a dash for nothing."""
+    """A number to seven digits, a text shortened, a dash for nothing."""
     if value is None:
         return "-"
     if isinstance(value, str):
         return value if len(value) <= 24 else value[:21] + "..."
-    return f"{value:.6g}"
+    return f"{value:.7g}"
