@@ -1,6 +1,7 @@
 """Rows of a published table, and the order of its columns."""
 
 from collections.abc import Sequence
+from typing import Any
 
 from examples.paper.members import Row
 
@@ -15,14 +16,12 @@ COULOMB = "area between the curves = Ep set, friction of the lowered force (what
 EQ_38 = "eq. (38) by arc length and exact angle"
 
 
-def published(
-    case: str, member: str, quantity: str, value: float | None, source: str, **others: object
-) -> Row:
+def published(case: str, member: str, quantity: str, value: float | None, source: str, **others: Any) -> Row:
     """A printed number."""
     return _entry(case, member, quantity, value, "published", source, others)
 
 
-def closed_form(case: str, member: str, quantity: str, value: float, source: str, **others: object) -> Row:
+def closed_form(case: str, member: str, quantity: str, value: float, source: str, **others: Any) -> Row:
     """A derived number."""
     return _entry(case, member, quantity, value, "closed form", source, others)
 
@@ -49,7 +48,7 @@ def stations(
     x: Sequence[float],
     values: Sequence[float],
     source: str,
-    **others: object,
+    **others: Any,
 ) -> list[Row]:
     """Stresses along a tendon in closed form, one row a station [mm]."""
     return [
@@ -58,18 +57,13 @@ def stations(
     ]
 
 
-def losses_along(
-    case: str, member: str, x: Sequence[float], losses: Sequence[float], source: str, **others: object
-) -> list[Row]:
+def losses_along(case: str, member: str, x: Sequence[float], losses: Sequence[float]) -> list[Row]:
     """Friction losses of the finite elements between the left anchor and stations [mm], to 1 % of them."""
-    tolerance = {
-        "rtol": 1,
-        "note": "Finite elements / closed form between 0.99 and 1.01, at the default mesh.",
-    }
     return [
         closed_form(
-            case, member, "stress_fe [MPa]", loss, f"{source}: {loss:g} MPa of friction loss",
-            stage="jacked", x=0, how="difference", against_x=place, **tolerance | others,
+            case, member, "stress_fe [MPa]", loss, f"{EQ_38}: friction loss up to the station",
+            stage="jacked", x=0, how="difference", against_x=place, rtol=1,
+            note="Finite elements / closed form between 0.99 and 1.01, at the default mesh.",
         )
         for place, loss in zip(x, losses, strict=True)
     ]  # fmt: skip
@@ -80,6 +74,6 @@ def set_loss_ratio(case: str, member: str) -> Row:
     return closed_form(
         case, member, "loss_jacking_end_fe", 1, MIRROR, how="ratio", atol=0.03,
         against_quantity="loss_jacking_end_analytic",
-        note="Finite elements / closed form between 0.97 and 1.03, at the default mesh. They follow friction of "
-        "the lowered force, which loses up to 3 % less than the mirrored curve.",
+        note="Finite elements / closed form between 0.97 and 1.03, at the default mesh. They follow friction "
+        "of the lowered force, which loses up to 3 % less than the mirrored curve.",
     )  # fmt: skip

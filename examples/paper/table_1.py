@@ -76,10 +76,10 @@ def imaginary_beam() -> list[Row]:
         for quantity, value, reason in zip(COLUMNS, (3.5, 3.2, 4.2, 4.9), reasons, strict=True)
     ]
     text = published(
-        BEAM, member, "stress_fe [MPa]", 68.4, "Huang and Kang (2018), text: friction loss of the FEA at the end",
+        BEAM, member, "stress_fe [MPa]", 68.4, "Huang and Kang (2018), text: frictional loss of the FEA",
         stage="jacked", x=0, how="difference", against_x=15200, atol=0.05,
-        not_reproducible="the closed form on the rigid beam is 60.5 MPa = 4.30 % of 1407 MPa, and the camber of "
-        "the real one takes 1.7 MPa off; 68.4 MPa is 4.86 %, more than the tendon turns for",
+        not_reproducible="the closed form on the rigid beam is 60.5 MPa = 4.30 % of 1407 MPa, and the camber "
+        "of the real one takes 1.7 MPa off; 68.4 MPa is 4.86 %, more than the tendon turns for",
     )  # fmt: skip
     exact = [
         closed_form(BEAM, member, "loss_fixed_end_analytic [%]", 4.3021,
@@ -108,7 +108,7 @@ def imaginary_beam_rigid() -> list[Row]:
     case = member = f"{BEAM}, rigid"
     exact = (15.362, 30.598, 45.667, 60.530)
     return [
-        *losses_along(case, member, (3800, 7600, 11400, 15200), exact, EQ_38),
+        *losses_along(case, member, (3800, 7600, 11400, 15200), exact),
         set_loss_ratio(case, member),
         closed_form(case, member, "loss_jacking_end_fe [%]", 2.8071, COULOMB, rtol=1),
         closed_form(case, member, "set_length_fe [mm]", 4931.6, COULOMB, rtol=1),
@@ -124,9 +124,9 @@ def specimen(name: str, wedge_set: float, printed: tuple[float, ...]) -> list[Ro
         if name == "Specimen 2" and quantity == "loss_jacking_end_fe [%]":
             given, needed = NEEDED_SET[wedge_set]
             others["not_reproducible"] = (
-                f"the paper's own analytical number is {printed[0]} %, which is met; {value} % would need a set "
-                f"of {needed} mm in place of {given}, or more friction near the jack while less is lost at the "
-                "far end: its wobble is a wave on the profile, of which it prints neither length nor phase"
+                f"the paper's own analytical number is {printed[0]} %, which is met; {value} % would need a "
+                f"set of {needed} mm in place of {given}, or more friction near the jack while less is lost at "
+                "the far end: its wobble is a wave on the profile, whose length and phase it does not print"
             )
         rows.append(published(name, f"{name}, set {wedge_set:g} in", quantity, value, TABLE, **others))
     return rows
@@ -140,7 +140,7 @@ def specimen_exact(name: str, wedge_set: float) -> list[Row]:
     return [
         closed_form(case, member, "loss_jacking_end_analytic [%]", mirrored, MIRROR, atol=1e-3),
         closed_form(case, member, "loss_fixed_end_analytic [%]", friction, EQ_38, atol=1e-3),
-        *losses_along(case, stiff, (15240,), (in_mpa,), EQ_38),
+        *losses_along(case, stiff, (15240,), (in_mpa,)),
         set_loss_ratio(case, stiff),
         closed_form(case, stiff, "loss_jacking_end_fe [%]", coulomb, COULOMB, rtol=1),
     ]
