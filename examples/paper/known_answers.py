@@ -109,7 +109,7 @@ def two_live_ends() -> list[Row]:
         rows += [
             *stations(member, member, ANALYTIC, "jacked", sides[:2], jacked[:2], EQ_38, **DIGITS),
             *stations(member, member, ANALYTIC, "jacked", sides[2:], jacked[2:], EQ_38, **VALLEY),
-            *losses_along(member, member, sides[1:], [jacked[0] - stress for stress in jacked[1:]]),
+            *losses_along(member, member, sides[1:], [round(jacked[0] - stress, 3) for stress in jacked[1:]]),
             *stations(member, member, ANALYTIC, "anchored", sides[:2], mirrored[:2], MIRROR, **DIGITS),
             *stations(member, member, ANALYTIC, "anchored", sides[2:], mirrored[2:], MIRROR, **VALLEY),
             *stations(member, member, FE, "anchored", sides, coulomb, COULOMB, **NEAR),

@@ -70,9 +70,18 @@ def imaginary_beam() -> list[Row]:
         NO_SUCH_ANGLE.format(4.2, 0.143),
         NO_SUCH_ANGLE.format(4.9, 0.167) + ", and the camber takes some of the angle away",
     )
-    member, rounding = f"{BEAM}, 20 el.", {"atol": 0.05, "note": "Tolerance: the rounding of the print."}
+    member, rounding = f"{BEAM}, 20 el.", {"atol": 0.05, "note": "0.05: the rounding of the print."}
     rows = [
-        published(BEAM, member, quantity, value, TABLE, not_reproducible=reason, **rounding)
+        published(
+            BEAM,
+            member,
+            quantity,
+            value,
+            TABLE,
+            not_reproducible=reason,
+            figures="imaginary-beam-losses",
+            **rounding,
+        )
         for quantity, value, reason in zip(COLUMNS, (3.5, 3.2, 4.2, 4.9), reasons, strict=True)
     ]
     text = published(
@@ -121,12 +130,13 @@ def specimen(name: str, wedge_set: float, printed: tuple[float, ...]) -> list[Ro
     for quantity, value in zip(COLUMNS, printed, strict=True):
         fea = "_fe" in quantity
         others: Row = {"atol": 0.5 if fea else 0.2, "note": OF_FEA if fea else RECONSTRUCTED}
+        others["figures"] = f"{name.lower().replace(' ', '-')}-losses"
         if name == "Specimen 2" and quantity == "loss_jacking_end_fe [%]":
             given, needed = NEEDED_SET[wedge_set]
             others["not_reproducible"] = (
                 f"the paper's own analytical number is {printed[0]} %, which is met; {value} % would need a "
-                f"set of {needed} mm in place of {given}, or more friction near the jack while less is lost at "
-                "the far end: its wobble is a wave on the profile, whose length and phase it does not print"
+                f"set of {needed} mm in place of {given}, or more friction near the jack while less is lost "
+                "at the far end: its wobble is a wave on the profile, of unprinted length and phase"
             )
         rows.append(published(name, f"{name}, set {wedge_set:g} in", quantity, value, TABLE, **others))
     return rows

@@ -74,7 +74,7 @@ def _in_unit(query: Query, unit: str, results: Results) -> tuple[Value, str]:
     if isinstance(value, str) or not unit:
         return value, own
     try:
-        return value * conversion(own, unit), unit
+        return value / conversion(unit, own), unit
     except UnitError as error:
         raise NoValueError(f"{query.name} is in {own or 'no unit'}: {error}") from error
 

@@ -11,7 +11,7 @@ from ptbatch.validation import checked
 from ptbatch.workbook.cells import CellError, parse
 from ptbatch.workbook.column import Column
 from ptbatch.workbook.problems import Problem
-from ptbatch.workbook.read import RawSheet, read_sheets
+from ptbatch.workbook.read import LAST_ROW, RawSheet, read_sheets
 from ptbatch.workbook.results import CURVES, TENDON
 from ptbatch.workbook.table import Table, find_header, make_table
 from ptbatch.workbook.units import parse_header
@@ -41,7 +41,7 @@ def read_published(path: Path) -> Published | None:
 
     Raises ReadError where there is nothing to compare with.
     """
-    sheets = read_sheets(path, SHEET, ["summary"])
+    sheets = read_sheets(path, SHEET, ["summary"], most_rows=LAST_ROW)
     raw = sheets[SHEET]
     if "summary" in sheets and raw.name.casefold() != SHEET:
         return None
