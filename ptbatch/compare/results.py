@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from operator import itemgetter
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,6 +14,8 @@ from ptbatch.validation import likely
 from ptbatch.workbook.read import LAST_ROW, RawSheet, read_sheets
 from ptbatch.workbook.table import find_header
 from ptbatch.workbook.units import Header, parse_header
+
+KEYS = {"summary": ("member",), "tendon": ("stage", "x"), "curves": ("deflection",)}  # to find a value by
 
 Row = dict[str, Any]
 
@@ -69,7 +72,14 @@ def read_results(path: Path, others: Iterable[str] = ("tendon", "curves")) -> Re
     summary = raw["summary"]
     if summary.name.casefold() != "summary" or find_header(summary, "member") is None:
         raise ReadError(f"{path}: no sheet summary; give a results workbook, as `ptbatch run` writes it")
-    return Results(path, {name: _sheet(sheet) for name, sheet in raw.items()})
+    sheets = {name: _sheet(sheet) for name, sheet in raw.items()}
+    for name, sheet in sheets.items():
+        for key in KEYS[name]:
+            if sheet.headers and key not in sheet.headers:
+                raise ReadError(
+                    f"{path}: sheet {name} has no column {key}; compare results as they were written"
+                )
+    return Results(path, sheets)
 
 
 def _sheet(raw: RawSheet) -> ResultSheet:
@@ -92,8 +102,11 @@ def _sheet(raw: RawSheet) -> ResultSheet:
 
 def as_value(cell: Any) -> Value:
     """A cell as number or text, blank ones as an empty text."""
-    plain = isinstance(cell, int | float) and not isinstance(cell, bool)
-    return cell if plain else "" if cell is None else str(cell)
+    return cell if _is_number(cell) else "" if cell is None else str(cell)
+
+
+def _is_number(cell: Any) -> bool:
+    return isinstance(cell, int | float) and not isinstance(cell, bool)
 
 
 def _of_summary(rows: list[Row], name: str, query: Query) -> Value:
@@ -102,13 +115,13 @@ def _of_summary(rows: list[Row], name: str, query: Query) -> Value:
 
 def _of_tendon(rows: list[Row], name: str, query: Query) -> float:
     """Interpolated between the tendon elements and anchors of a stage."""
-    at = sorted((row["x"], row[name]) for row in rows if row["stage"] == query.stage)
     if query.x is None or query.stage is None:
         raise NoValueError(f"{query.name} needs stage and x")
+    at = [(row["x"], row[name]) for row in rows if row["stage"] == query.stage and _is_number(row["x"])]
     if not at:
         raise NoValueError(f"the sheet tendon has no stage {query.stage} of {query.member}")
-    x, values = zip(*at, strict=True)
-    if not all(isinstance(value, int | float) for value in values):
+    x, values = zip(*sorted(at, key=itemgetter(0)), strict=True)
+    if not all(map(_is_number, values)):
         raise NoValueError(f"the sheet tendon has no {query.name} at the stage {query.stage}")
     if not x[0] <= query.x <= x[-1] * (1.0 + 1e-9):
         raise NoValueError(f"x = {query.x:g} mm lies beyond the member, which ends at {x[-1]:g} mm")
@@ -119,13 +132,14 @@ def _of_curves(rows: list[Row], name: str, query: Query) -> float:
     """Interpolated where the deflection first comes to that of the query; it may go back later."""
     if query.deflection is None:
         raise NoValueError(f"{query.name} needs deflection")
+    rows = [row for row in rows if _is_number(row[name]) and _is_number(row["deflection"])]
     if not rows:
-        raise NoValueError(f"the sheet curves has nothing of {query.member}")
+        raise NoValueError(f"the sheet curves has no {query.name} of {query.member}")
     for before, after in zip(rows, rows[1:], strict=False):
         ends = before["deflection"], after["deflection"]
         if min(ends) <= query.deflection <= max(ends):
             order = np.argsort(ends)
-            values = np.array([before[name], after[name]], dtype=float)
+            values = np.array([before[name], after[name]])
             return float(np.interp(query.deflection, np.array(ends)[order], values[order]))
     furthest = max(row["deflection"] for row in rows)
     raise NoValueError(f"the curve goes to {furthest:.6g} mm, not to {query.deflection:.6g} mm")

@@ -46,7 +46,13 @@ TENDON = [
     )
 ]
 CURVES = [
-    {"member": "B1", "step": i, "load [kN]": load, "deflection [mm]": deflection}
+    {
+        "member": "B1",
+        "step": i,
+        "load [kN]": load,
+        "deflection [mm]": deflection,
+        "event": "" if i else "peak",
+    }
     for i, (load, deflection) in enumerate([(0, 0), (100, 10), (80, 9), (200, 30)])
 ]
 

@@ -100,7 +100,8 @@ def test_numbers_without_a_tolerance_take_that_of_the_command(one):
             "the sheet tendon has no stress_analytic at the stage peak",
         ),
         ({"quantity": "load", "deflection": 31}, "the curve goes to 30 mm, not to 31 mm"),
-        ({"quantity": "load", "deflection": 1, "member": "B2"}, "the sheet curves has nothing of B2"),
+        ({"quantity": "load", "deflection": 1, "member": "B2"}, "the sheet curves has no load of B2"),
+        ({"quantity": "event", "deflection": 1}, "the sheet curves has no event of B1"),
         (
             {"quantity": "camber_anchored", "as": "ratio", "against": "B2"},
             "there is no ratio to camber_anchored, which is zero",

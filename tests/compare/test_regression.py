@@ -3,6 +3,8 @@
 import pytest
 
 from ptbatch.compare.comparison import compare_workbooks
+from ptbatch.compare.results import read_results
+from ptbatch.errors import ReadError
 from tests.compare.conftest import summary, write
 
 
@@ -78,6 +80,12 @@ def test_rows_of_the_same_name_are_paired_in_their_order(failing):
     first, second = summary(), summary(**{"load_peak [kN]": 1.0})
     assert failing(first, second, ours=(first, second)) == []
     assert len(failing(first, second, ours=(second, first))) == 2
+
+
+def test_results_that_were_cut_are_refused(tmp_path, results):
+    path = write(tmp_path / "cut.xlsx", summary=[summary()], tendon=[{"member": "B1", "stage": "jacked"}])
+    with pytest.raises(ReadError, match="sheet tendon has no column x; compare results as they were written"):
+        read_results(path)
 
 
 def test_more_rows_than_a_table_of_members_may_have(tmp_path, monkeypatch):
