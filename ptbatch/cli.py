@@ -13,7 +13,6 @@ from ptbatch.errors import PtbatchError, UnknownMemberError
 
 if TYPE_CHECKING:
     from ptbatch.batch import Batch
-    from ptbatch.compare.comparison import Comparison
     from ptbatch.runner import Progress
 
 OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
@@ -95,13 +94,13 @@ def compare(
     PUBLISHED is a table of expected numbers (sheet published, see the README) or the results workbook of
     another run, of which every number and text in summary must be met.
     """
-    from ptbatch.compare.comparison import compare_workbooks
+    from ptbatch.compare.comparison import closing_table, compare_workbooks
     from ptbatch.compare.report import records
 
     comparison = compare_workbooks(results, published, output, rtol, markdown)
     if as_json:
         _print_json(records(comparison.lines))
-    _say(*map(str, comparison.warnings), *_comparison_table(comparison))
+    _say(*map(str, comparison.warnings), *closing_table(comparison))
     return FAILED if comparison.failed else OK
 
 
@@ -181,18 +180,6 @@ def _closing_table(batch: "Batch") -> list[str]:
         lines.append(f"{batch.wanted} is in use and could not be replaced")
     counts = ", ".join(f"{count} {status}" for status, count in batch.counts.items() if count)
     return [*lines, f"{counts}; results: {batch.path}"]
-
-
-def _comparison_table(comparison: "Comparison") -> list[str]:
-    """Every line of a published table; of a regression those that fail."""
-    from ptbatch.compare.report import table
-
-    shown = [line for line in comparison.lines if line.verdict != "pass" or not comparison.regression]
-    lines = table(shown) if shown else []
-    if comparison.path != comparison.wanted:
-        lines.append(f"{comparison.wanted} is in use and could not be replaced")
-    told = ", ".join(f"{count} {verdict}" for verdict, count in comparison.counts.items() if count)
-    return [*lines, f"{told or 'nothing to compare'}; comparison: {comparison.path}"]
 
 
 def _closing_row(member: str, status: str, peak: Any, failure: Any, message: str) -> tuple[str, ...]:

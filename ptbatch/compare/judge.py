@@ -85,15 +85,21 @@ def _wrong(entry: Entry, ours: Value, rtol: float) -> str:
     if theirs is None:
         return "no number is printed"
     if isinstance(ours, str) or isinstance(theirs, str):
-        return "" if str(ours).casefold() == str(theirs).casefold() else _text_differs(ours, theirs)
-    allowed = tolerance(entry, rtol)
+        return "" if _text(ours) == _text(theirs) else _text_differs(ours, theirs)
+    atol, share = _tolerances(entry, rtol)
+    allowed = max(atol, share * abs(theirs))
     if entry.bound == "at least":
         return "" if ours >= theirs - allowed else f"less by {theirs - ours:.3g}"
     if entry.bound == "at most":
         return "" if ours <= theirs + allowed else f"more by {ours - theirs:.3g}"
     off = abs(ours - theirs)
-    share = f" ({100.0 * off / abs(theirs):.2g} %)" if theirs else ""
-    return "" if off <= allowed else f"off by {off:.3g}{share}"
+    percent = f" ({100.0 * off / abs(theirs):.2g} %)" if theirs else ""
+    return "" if off <= allowed else f"off by {off:.3g}{percent}"
+
+
+def _text(value: Value) -> str:
+    """As it would be typed, capitals or not: the text 12 is read as a number."""
+    return value.strip().casefold() if isinstance(value, str) else f"{value:.15g}"
 
 
 def _text_differs(ours: Value, theirs: Value) -> str:
@@ -102,23 +108,22 @@ def _text_differs(ours: Value, theirs: Value) -> str:
     return f"a number in the results, a text in the table: {theirs}"
 
 
-def tolerance(entry: Entry, rtol: float) -> float:
-    """Allowed deviation from a number; none from a bound that comes without."""
-    if entry.rtol is None and entry.atol is None:
-        entry_rtol, atol = (rtol if entry.bound == "equal" else 0.0), 0.0
-    else:
-        entry_rtol, atol = entry.rtol or 0.0, entry.atol or 0.0
-    assert not isinstance(entry.value, str | None)
-    return max(atol, entry_rtol * abs(entry.value))
+def _tolerances(entry: Entry, rtol: float) -> tuple[float, float]:
+    """atol and rtol of an entry; a bound that comes without has none."""
+    given = entry.rtol is not None or entry.atol is not None
+    otherwise = 0.0 if given or entry.bound != "equal" else rtol
+    return entry.atol or 0.0, entry.rtol or otherwise
 
 
 def _tolerance_text(entry: Entry, rtol: float) -> str:
-    """`± 0.5 or 2 %`, `at least`."""
+    """`± 0.5 or 2 %`, `at least`, `at most, plus 2 %`."""
     if isinstance(entry.value, str | None):
         return ""
-    parts = [f"{entry.atol:.6g}"] if entry.atol else []
-    parts += [f"{100.0 * entry.rtol:.4g} %"] if entry.rtol else []
-    if entry.bound != "equal":
-        return entry.bound + (f", less {' or '.join(parts)}" if parts else "")
-    given = entry.atol is not None or entry.rtol is not None
-    return f"± {' or '.join(parts) or ('0' if given else f'{100.0 * rtol:.4g} %')}"
+    atol, share = _tolerances(entry, rtol)
+    parts = [f"{atol:.6g}"] if atol else []
+    parts += [f"{100.0 * share:.4g} %"] if share else []
+    text = " or ".join(parts)
+    if entry.bound == "equal":
+        return f"± {text or 0}"
+    sign = "less" if entry.bound == "at least" else "plus"
+    return f"{entry.bound}, {sign} {text}" if text else entry.bound

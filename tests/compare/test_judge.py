@@ -1,4 +1,4 @@
-"""What is compared and when it passes. Every number is made up, in conftest."""
+"""What is compared and when it passes. Every number is made up; see made_up."""
 
 import pytest
 
@@ -144,6 +144,7 @@ def test_a_mark_that_is_no_longer_needed_is_told(one):
         ({"rtol": 0}, "load_peak", "kN", "± 0"),
         ({"bound": "at most"}, "load_peak", "kN", "at most"),
         ({"bound": "at least", "rtol": 0.01}, "load_peak", "kN", "at least, less 1 %"),
+        ({"bound": "at most", "atol": 2}, "load_peak", "kN", "at most, plus 2"),
         (STRESS | {"x [m]": 1}, "stress_fe, jacked, x = 1000 mm", "MPa", "± 0.0001 %"),
         (LOSS, "loss_fixed_end_fe / loss_fixed_end_analytic", "", "± 0.0001 %"),
         (

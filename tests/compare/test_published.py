@@ -8,7 +8,7 @@ from ptbatch.compare.comparison import compare_workbooks
 from ptbatch.compare.entry import Entry
 from ptbatch.compare.published import read_published
 from ptbatch.errors import ReadError
-from tests.compare.conftest import ROW, write
+from tests.compare.made_up import ROW, write
 
 STRESS = {"quantity": "stress_fe", "stage": "jacked", "x": 0}
 

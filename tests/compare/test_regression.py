@@ -1,11 +1,11 @@
-"""Results against results of another run. Every number is made up, in conftest."""
+"""Results against results of another run. Every number is made up; see made_up."""
 
 import pytest
 
 from ptbatch.compare.comparison import compare_workbooks
 from ptbatch.compare.results import read_results
 from ptbatch.errors import ReadError
-from tests.compare.conftest import summary, write
+from tests.compare.made_up import summary, write
 
 
 @pytest.fixture

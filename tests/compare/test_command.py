@@ -5,11 +5,11 @@ import json
 import pytest
 
 from ptbatch.cli import exit_code
-from tests.compare.conftest import published, results, summary  # noqa: F401
+from tests.compare.made_up import summary
 
 
 @pytest.fixture
-def compare(results, published, capsys):  # noqa: F811
+def compare(results, published, capsys):
     """Exit code, stdout and stderr of a comparison with rows."""
 
     def run(*rows, options=()):
@@ -39,7 +39,7 @@ def test_a_faulty_row_is_a_failure(compare):
     assert "published!E3  source: missing" in err
 
 
-def test_regression_shows_what_fails(results, capsys):  # noqa: F811
+def test_regression_shows_what_fails(results, capsys):
     ours, same = results(), results(name="same.xlsx")
     assert exit_code(["compare", str(ours), str(same)]) == 0
     assert capsys.readouterr().err.startswith("14 pass; comparison:")
@@ -69,7 +69,7 @@ def test_output_and_markdown(compare, tmp_path):
     assert not (tmp_path / "beams.results.comparison.xlsx").exists()
 
 
-def test_inputs_are_never_touched(results, published, capsys):  # noqa: F811
+def test_inputs_are_never_touched(results, published, capsys):
     paths = results(), published({})
     before = [path.read_bytes() for path in paths]
     for path in paths:
@@ -79,7 +79,7 @@ def test_inputs_are_never_touched(results, published, capsys):  # noqa: F811
     assert [path.read_bytes() for path in paths] == before
 
 
-def test_unreadable(results, published, book, beam, tmp_path, capsys):  # noqa: F811
+def test_unreadable(results, published, book, beam, tmp_path, capsys):
     assert exit_code(["compare", str(tmp_path / "none.xlsx"), str(published({}))]) == 4
     assert exit_code(["compare", str(results()), __file__]) == 4
     assert exit_code(["compare", str(book(beam)), str(published({}))]) == 4
