@@ -40,13 +40,20 @@ def value(path):
     return lambda *query, **options: results.look_up(Query(*query, **options)).value
 
 
-def test_nothing_fails(comparison):
-    failed = [line for line in comparison.lines if line.verdict == "fail"]
-    assert [(line.member, line.what, line.ours, line.because) for line in failed] == []
+# Just after cracking friction changes the load on Specimen 2 by more than the 2 % that the issue allows.
+NOT_MET = [
+    ("Specimen 2, friction", f"load, at {deflection} mm / that of Specimen 2, no friction")
+    for deflection in (10, 15)
+]
+
+
+def test_what_fails_is_known(comparison):
+    failed = [(line.member, line.what) for line in comparison.lines if line.verdict == "fail"]
+    assert failed == NOT_MET
 
 
 def test_exit_code(path, capsys):
-    assert exit_code(["compare", str(path), str(ROOT / PUBLISHED)]) == 0
+    assert exit_code(["compare", str(path), str(ROOT / PUBLISHED)]) == 1  # 0 once NOT_MET is empty
     assert "not reproducible" in capsys.readouterr().err
 
 
@@ -60,10 +67,6 @@ def test_what_is_not_reproducible(comparison):
         ("Imaginary beam, 20 el.", "stress_fe, jacked, x = 0 mm less x = 15200 mm"),
         ("Specimen 2, set 0.05 in", "loss_jacking_end_fe"),
         ("Specimen 2, set 0.125 in", "loss_jacking_end_fe"),
-        *(
-            ("Specimen 2, friction", f"load, at {deflection} mm / that of Specimen 2, no friction")
-            for deflection in (10, 15)
-        ),
     }
     figures = {line.member for line in marked if line.theirs is None}
     assert figures == {
@@ -103,7 +106,7 @@ def test_friction_hardly_changes_the_curve_of_specimen_2(value, deflection):
 
 
 def test_where_friction_changes_the_curve_of_specimen_2_most(value):
-    """Just after cracking, because less friction leaves more prestress; 3 % is ours."""
+    """Just after cracking; 3 % is ours, the issue's 2 % is not met there."""
     ratios = [
         value(PAIR[0], "load", deflection=d) / value(PAIR[1], "load", deflection=d)
         for d in (6.0, 8.0, 10.0, 12.0, 15.0, 18.0)
@@ -112,7 +115,9 @@ def test_where_friction_changes_the_curve_of_specimen_2_most(value):
 
 
 def test_friction_clearly_changes_the_stress_along_specimen_2(value):
-    """Published as a finding, at 76 mm: tens of MPa between the middle of the loaded span and the ends."""
+    """Published as a finding, tens of MPa; 20 MPa is ours. At 76 mm as largest less least stress; between the
+    middle of the loaded span and the ends at peak, the last stage of which results hold the stress along x.
+    """
     most, least = (value(PAIR[0], f"tendon_stress_{way}", deflection=76.0) for way in ("max", "min"))
     assert most - least > 20.0
     at = {x: value(PAIR[0], "stress_fe", "peak", float(x)) for x in (0, 11430, 15240)}

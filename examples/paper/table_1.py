@@ -135,8 +135,8 @@ def specimen(name: str, wedge_set: float, printed: tuple[float, ...]) -> list[Ro
             given, needed = NEEDED_SET[wedge_set]
             others["not_reproducible"] = (
                 f"the paper's own analytical number is {printed[0]} %, which is met; {value} % would need a "
-                f"set of {needed} mm in place of {given}, or more friction near the jack while less is lost "
-                "at the far end: its wobble is a wave on the profile, of unprinted length and phase"
+                f"set of {needed} mm in place of {given} (closed form). Whether its wobble, a wave on the "
+                "profile, accounts for the rest cannot be told: neither length nor phase is printed"
             )
         rows.append(published(name, f"{name}, set {wedge_set:g} in", quantity, value, TABLE, **others))
     return rows
