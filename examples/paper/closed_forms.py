@@ -161,9 +161,10 @@ def sections() -> list[Row]:
         **{"set [mm]": 0, "mu [1/rad]": 0, "K [1/m]": 0},
         "note": "Section strengths: structuralcodes 0.7.2.",
     }
-    # Two loads would bring the unbonded tendon to yield as well, along the whole middle third.
-    live = {"bonded": "third-points", "unbonded": "midspan"}
-    return [{"member": f"300 x 600, {bond}", **beam, "bond": bond, "live": live[bond]} for bond in live]
+    cases = [("bonded", "third-points"), ("unbonded", "third-points"), ("unbonded", "midspan")]
+    return [
+        {"member": f"300 x 600, {bond}, {live}", **beam, "bond": bond, "live": live} for bond, live in cases
+    ]
 
 
 def closed_forms() -> list[Row]:

@@ -19,11 +19,12 @@ def findings() -> list[Row]:
 def curves_of_specimen_2() -> list[Row]:
     """Load at deflections with and without friction, both jacked to the same stress."""
     source = f"{PAPER}, Fig. 12 and text: almost identical through the entire loading path"
-    # Not marked as not reproducible at 10 and 15 mm: nothing is wrong with the source, we do not meet it there.
+    # At 10 and 15 mm not marked as not reproducible: the source is sound, we do not meet it there.
     cracking = (
-        f"{HARDLY} Just after cracking we do not meet it: jacked to the same stress, the tendon without friction "
-        "keeps 1376 MPa on average in place of 1295, and its member cracks at 115 kN in place of 101. With 1295 "
-        "MPa in both, the load at 10 mm is the same within 0.2 %, but from 30 mm on friction adds 2.0 to 2.3 %."
+        f"{HARDLY} Just after cracking we do not meet it: jacked to the same stress, the tendon without "
+        "friction keeps 1376 MPa on average in place of 1295, and its member cracks at 115 kN in place of "
+        "101. With 1295 MPa in both, the load at 10 mm is the same within 0.2 %, but from 30 mm on friction "
+        "adds 2.0 to 2.3 %."
     )
     others = {"how": "ratio", "against": NONE, "rtol": 2, "figures": "specimen-2-curves; specimen-2-cracks"}
     return [
@@ -36,7 +37,7 @@ def curves_of_specimen_2() -> list[Row]:
 def stresses_of_specimen_2() -> list[Row]:
     """Tendon stress along the specimen at ultimate: with friction it varies, without it does not."""
     source = f"{PAPER}, Fig. 11 and text: redistribution of prestress obviously differs at 76 mm"
-    at_peak = f"{CLEARLY} At peak, 46 mm: results hold the stress along the tendon at no later deflection."
+    at_peak = f"{CLEARLY} At peak, 46 mm: results hold no stress along the tendon beyond."
     along = {"stage": "peak", "x": 11430, "how": "difference", "bound": "at least", "note": at_peak}
     spread = {"how": "difference", "against_quantity": "tendon_stress_min", "deflection": 76}
     figure = {"figures": "specimen-2-tendon"}
