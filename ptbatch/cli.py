@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ptbatch.batch import Batch
     from ptbatch.runner import Progress
 
-OK, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 3, 4, 70, 130
+OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
 PASSED = ("ok", "warning")
 FIGURES = ("stress", "redistribution", "load-deflection", "cracks", "profile", "all")
 SHOWN_ROWS = 40  # of the closing table
@@ -54,7 +54,9 @@ def run(workbook: Path, output: Path | None, jobs: int | None, only: Sequence[st
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
     if as_json:
-        _print_json(batch)
+        from ptbatch.workbook.results import summary_records
+
+        _print_json(summary_records(batch.headers, batch.lines))
     _say(*_closing_table(batch))
     return INVALID_ROWS if batch.failed else OK
 
@@ -70,6 +72,37 @@ def check(workbook: Path) -> int:
     _say(*map(str, inputs.all_problems()))
     _say(f"{len(inputs.rows)} rows: {len(inputs.rows) - invalid} valid, {invalid} invalid")
     return INVALID_ROWS if invalid else OK
+
+
+@cli.command(epilog=EPILOG)
+@click.argument("results", type=click.Path(path_type=Path))
+@click.argument("published", type=click.Path(path_type=Path))
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Comparison [RESULTS.comparison.xlsx].")
+@click.option(
+    "--rtol",
+    type=click.FloatRange(0.0),
+    default=1e-6,
+    show_default=True,
+    help="Tolerance of numbers that come without one, as a share of them.",
+)
+@click.option("--markdown", type=click.Path(path_type=Path), metavar="FILE", help="Write a report as well.")
+@click.option("--json", "as_json", is_flag=True, help="Print the lines to stdout as JSON.")
+def compare(
+    results: Path, published: Path, output: Path | None, rtol: float, markdown: Path | None, as_json: bool
+) -> int:
+    """Compare a results workbook with what is PUBLISHED: pass, fail, or not reproducible, because ...
+
+    PUBLISHED is a table of expected numbers (sheet published, see the README) or the results workbook of
+    another run, of which every number and text in summary must be met.
+    """
+    from ptbatch.compare.comparison import closing_table, compare_workbooks
+    from ptbatch.compare.report import records
+
+    comparison = compare_workbooks(results, published, output, rtol, markdown)
+    if as_json:
+        _print_json(records(comparison.lines))
+    _say(*map(str, comparison.warnings), *closing_table(comparison))
+    return FAILED if comparison.failed else OK
 
 
 @cli.command(epilog=EPILOG)
@@ -168,12 +201,9 @@ def _progress() -> "Progress | None":
     return show
 
 
-def _print_json(batch: "Batch") -> None:
+def _print_json(records: Sequence[dict[str, Any]]) -> None:
     import json
 
-    from ptbatch.workbook.results import summary_records
-
-    records = summary_records(batch.headers, batch.lines)
     click.echo(json.dumps(records, indent=2, ensure_ascii=False, allow_nan=False, default=str))
 
 

@@ -6,11 +6,12 @@ import re
 import pytest
 from openpyxl import load_workbook
 
-from examples.build import EXAMPLE, ROOT, TEMPLATES, build
+from examples.build import EXAMPLE, PAPER, PUBLISHED, ROOT, TEMPLATES, build
 from ptbatch.batch import run_workbook
 from ptbatch.workbook.inputs import read_inputs
 
-SHIPPED = (EXAMPLE, *TEMPLATES.values())
+INPUTS = (EXAMPLE, PAPER, *TEMPLATES.values())
+SHIPPED = (*INPUTS, PUBLISHED)
 
 
 def content(path) -> dict[str, list]:
@@ -29,7 +30,7 @@ def test_building_twice_gives_the_same_bytes(tmp_path):
     assert first == second
 
 
-@pytest.mark.parametrize("path", SHIPPED)
+@pytest.mark.parametrize("path", INPUTS)
 def test_shipped_workbooks_are_clean(path):
     inputs = read_inputs(ROOT / path)
     assert inputs.all_problems() == []

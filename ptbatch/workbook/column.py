@@ -30,6 +30,7 @@ UNITS: dict[str, tuple[str, str]] = {
     "friction": ("1/rad", "1/rad"),
     "friction per length": ("1/m", "1/ft"),
     "angle per length": ("rad/m", "rad/ft"),
+    "share": ("-", "-"),
 }
 
 

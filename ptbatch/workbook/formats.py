@@ -4,7 +4,11 @@ from ptbatch.workbook.units import parse_header
 
 _BY_UNIT = {"MPa": "0.0", "mm": "0.00", "%": "0.00", "kN": "0.0", "kN m": "0.0", "ms": "0"}
 _BY_NAME = {
-    **{"x": "0", "failure_x": "0", "load_factor": "0.000", "load_factor_peak": "0.000"},
+    "ratio": "0.0000",
+    "x": "0",
+    "failure_x": "0",
+    "load_factor": "0.000",
+    "load_factor_peak": "0.000",
     "residual_max": "0.0E+00",
 }
 _WIDTHS = {
@@ -12,6 +16,8 @@ _WIDTHS = {
     **{"span": 18, "dp": 28, "note": 60},
     **{"what is wrong": 60, "how to put it right": 60, "value": 30, "name": 24, "meaning": 90, "default": 36},
     **{"column": 20, "choices": 46},
+    **{"case": 26, "quantity": 46, "ours": 12, "theirs": 12, "tolerance": 14, "verdict": 16, "because": 60},
+    **{"source": 60, "class": 12, "not_reproducible": 40},
 }
 
 

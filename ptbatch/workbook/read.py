@@ -43,9 +43,11 @@ def address(row: int, column: int) -> str:
     return f"{get_column_letter(column)}{row}"
 
 
-def read_sheets(path: Path, main: str, optional: Iterable[str]) -> dict[str, RawSheet]:
+def read_sheets(
+    path: Path, main: str, optional: Iterable[str], most_rows: int | None = None
+) -> dict[str, RawSheet]:
     """Raw sheets by the name asked for; the first sheet is main if none has its name. Raises ReadError."""
-    return guarded(path, lambda file: _read(file, main, optional))
+    return guarded(path, lambda file: _read(file, main, optional, most_rows or MAX_ROWS))
 
 
 def guarded(path: Path, reader: Callable[[BinaryIO], T], bounds: int = 1) -> T:
@@ -66,7 +68,7 @@ def guarded(path: Path, reader: Callable[[BinaryIO], T], bounds: int = 1) -> T:
         raise ReadError(f"{path}: damaged ({cause}); open it in Excel and save it again") from error
 
 
-def _read(file: BinaryIO, main: str, optional: Iterable[str]) -> dict[str, RawSheet]:
+def _read(file: BinaryIO, main: str, optional: Iterable[str], most_rows: int) -> dict[str, RawSheet]:
     formulas = _formulas(file, {main, *optional}) if has_formulas(file) else {}
     book = open_book(file)
     if not book.worksheets:
@@ -74,7 +76,9 @@ def _read(file: BinaryIO, main: str, optional: Iterable[str]) -> dict[str, RawSh
     by_name = {_key(sheet.title): sheet for sheet in reversed(book.worksheets)}
     by_name.setdefault(main, book.worksheets[0])
     return {
-        name: RawSheet(by_name[name].title, _rows(by_name[name], formulas.get(by_name[name].title, {})))
+        name: RawSheet(
+            by_name[name].title, _rows(by_name[name], formulas.get(by_name[name].title, {}), most_rows)
+        )
         for name in (main, *optional)
         if name in by_name
     }
@@ -106,7 +110,7 @@ def _formulas(file: BinaryIO, names: set[str]) -> dict[str, Formulas]:
     }
 
 
-def _rows(sheet: Any, formulas: Formulas) -> dict[int, dict[int, Any]]:
+def _rows(sheet: Any, formulas: Formulas, most: int) -> dict[int, dict[int, Any]]:
     rows: dict[int, dict[int, Any]] = {}
     for number, cells in _walk(sheet):
         values = {c: _value(cell, formulas.get((number, c))) for c, cell in enumerate(cells, 1)}
@@ -117,8 +121,8 @@ def _rows(sheet: Any, formulas: Formulas) -> dict[int, dict[int, Any]]:
             far = address(number, max(filled))
             raise ReadError(f"sheet {sheet.title}: cell {far} lies beyond column {MAX_COLUMNS}; clear it")
         rows[number] = filled
-        if len(rows) > MAX_ROWS:
-            raise ReadError(f"sheet {sheet.title} has more than {MAX_ROWS} rows; split the workbook")
+        if len(rows) > most:
+            raise ReadError(f"sheet {sheet.title} has more than {most} rows; split the workbook")
     return rows
 
 

@@ -21,6 +21,8 @@ QUANTITIES: dict[str, dict[str, float]] = {
     "area": {f"{unit}2": factor**2 for unit, factor in _LENGTHS.items()},
     "force": _FORCES,
     "line load": _LINE_LOADS,
+    "moment": {"kN m": 1e6, "N mm": 1.0, "kip ft": 1e3 * LBF * FT, "kip in": 1e3 * LBF * IN},
+    "share": {"-": 1.0, "%": 0.01},
     "force or line load": _FORCES | _LINE_LOADS,
     "stress": {
         **{"MPa": 1.0, "N/mm2": 1.0, "kPa": 1e-3, "GPa": 1e3},
@@ -75,8 +77,19 @@ def factor(quantity: str, unit: str) -> float:
     return value
 
 
+def conversion(unit: str, to: str) -> float:
+    """Number that turns a value in one unit into another unit of the same quantity. Raises UnitError."""
+    if _spelling(unit) == _spelling(to):
+        return 1.0
+    for quantity, units in QUANTITIES.items():
+        target = _among(units, to)
+        if target is not None:
+            return factor(quantity, unit) / target
+    raise UnitError(f"{unit} is not {to}", f"give it in {to}")
+
+
 def _among(units: dict[str, float], unit: str) -> float | None:
-    return {name.casefold(): value for name, value in units.items()}.get(_spelling(unit))
+    return {_spelling(name): value for name, value in units.items()}.get(_spelling(unit))
 
 
 def _spelling(unit: str) -> str:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from ptbatch.workbook.units import UnitError, factor, parse_header
+from ptbatch.workbook.units import UnitError, conversion, factor, parse_header
 
 
 @pytest.mark.parametrize(
@@ -82,3 +82,27 @@ def test_unknown_unit_names_the_known_ones():
 def test_unit_of_another_quantity_is_named():
     with pytest.raises(UnitError, match="rad/m is a unit of angle per length, not of friction per length"):
         factor("friction per length", "rad/m")
+
+
+@pytest.mark.parametrize(
+    ("unit", "to", "value"),
+    [
+        ("kN", "kN", 1.0),
+        ("N", "kN", 1e-3),
+        ("ksi", "MPa", 6.894757293168),
+        ("kip ft", "kN m", 1.3558179483314),  # closed form
+        ("kNm", "kN m", 1.0),
+        ("%", "%", 1.0),
+        ("-", "%", 100.0),
+        ("s", "s", 1.0),  # of no quantity that is known here, but the same
+    ],
+)
+def test_conversion(unit, to, value):
+    assert conversion(unit, to) == pytest.approx(value, rel=1e-10)
+
+
+def test_conversion_between_quantities_is_refused():
+    with pytest.raises(UnitError, match="kN is a unit of force, not of stress; use one of MPa"):
+        conversion("kN", "MPa")
+    with pytest.raises(UnitError, match="h is not ms; give it in ms"):
+        conversion("h", "ms")

@@ -1,0 +1,1 @@
+"""Results held against what is known: a published table, or the results of another run."""

@@ -1,0 +1,32 @@
+"""The columns of a published table, sheet `published`: one row an expected number."""
+
+from ptbatch.response import ANCHORED, JACKED, PEAK, SET
+from ptbatch.workbook.column import Column
+from ptbatch.workbook.columns import NOTE
+
+COLUMNS = (
+    Column("case", "heading under which the report puts the entry; blank: the member", "text"),
+    Column("member", "name in the results", "text", required=True),
+    Column("quantity", "a header of summary, tendon or curves, with the unit of the value", "text",
+           required=True),
+    Column("stage", "tendon: stage", "choice", choices=(JACKED, SET, ANCHORED, PEAK)),
+    Column("x", "tendon: place, interpolated", quantity="length", limit="not negative"),
+    Column("deflection", "curves: where the deflection first reaches this", quantity="length", limit="any"),
+    Column("as", "value, or the ratio to or difference from another one", "choice", default="value",
+           choices=("value", "ratio", "difference")),
+    Column("against", "ratio, difference: the other member; blank: the same", "text"),
+    Column("against_quantity", "the other quantity; blank: the same", "text"),
+    Column("against_x", "the other place; blank: the same", quantity="length", limit="not negative"),
+    Column("bound", "equal within the tolerance, or no less or no more than the value", "choice",
+           default="equal", choices=("equal", "at-least", "at-most")),
+    Column("value", "expected number or text; blank where the source prints none", "text"),
+    Column("rtol", "tolerance as a share of the value; the larger of rtol and atol counts",
+           quantity="share", limit="not negative"),
+    Column("atol", "tolerance in the unit of the value", limit="not negative"),
+    Column("class", "what the number is", "choice", required=True,
+           choices=("published", "closed-form", "frozen")),
+    Column("source", "where it is printed, or how it is derived", "text", required=True),
+    Column("not_reproducible", "why the number cannot be met, with evidence", "text"),
+    Column("figures", "names of figures of the case, separated by ;", "text"),
+    NOTE,
+)  # fmt: skip
