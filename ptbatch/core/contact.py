@@ -180,8 +180,8 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
         uy = ty
         N = P
     s = seg.s + xi_c * seg.ds
-    # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing, and
-    # its sign with it; what the tendon's own kink presses does not.
+    # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing,
+    # and its sign with it; what the tendon's own kink presses does not.
     press = T4 * (by * ux - bx * uy) / lb - T3 * (ay * ux - ax * uy) / la
     press = press if press.real >= 0.0 else -press
     Tt, motion = friction(s - s0, rub, press, 0.5 * (T3 + T4), rough, was, c)

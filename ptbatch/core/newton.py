@@ -181,7 +181,7 @@ def equilibrate(case, target, factor, way):
         if not solved:
             return SINGULAR, factor, iteration, norm
         damping *= way.decay
-        if way.search != NONE and iteration > 0:  # from equilibrium the first step has no work to search along
+        if way.search != NONE and iteration > 0:  # from equilibrium there is no work to search along
             factor += dfactor * line_search(case, target, factor, dfactor, way.search == FROZEN)
         else:
             work.trial[:] += work.du

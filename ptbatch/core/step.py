@@ -2,14 +2,14 @@
 
 import numpy as np
 
+from ptbatch.core.equilibrium import imbalance
 from ptbatch.core.history import commit, record, rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.newton import CONVERGED, FREE, FROZEN, NONE, Way, equilibrate
-from ptbatch.core.equilibrium import imbalance
+from ptbatch.core.newton import CONVERGED, FREE, NONE, Way, equilibrate
 
-# What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may leave
-# no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps are for
-# friction that turns round everywhere.
+# What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may
+# leave no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps
+# are for friction that turns round everywhere.
 WAYS = (
     Way(20, 0.0, 1.0, NONE),
     Way(25, 0.1, 0.6, NONE),
