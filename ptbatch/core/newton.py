@@ -6,6 +6,7 @@ import numpy as np
 
 from ptbatch.core.assembly import internal_forces, tangent
 from ptbatch.core.banded import factorise, substitute
+from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
@@ -144,10 +145,11 @@ def solve(case, target):
     for i in range(work.du.size):
         work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
     substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
-    reach = work.du_load[target.dof]
+    reach = driven(work.du_load, target.dof, target.other)
     if reach == 0.0:
         return False, 0.0
-    dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
+    left = target.value - driven(work.trial, target.dof, target.other)
+    dfactor = (left - driven(work.du, target.dof, target.other)) / reach
     for i in range(work.du.size):
         work.du[i] += dfactor * work.du_load[i]
     return True, dfactor
