@@ -14,6 +14,7 @@ from ptbatch.core.model import PRESCRIBED, tendon_dof
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
 NONE, FREE, FROZEN = range(3)  # searching along a step
+NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
 PATIENCE = 6  # iterations in which an undamped way must bring its residual down
 
 
@@ -177,6 +178,8 @@ def equilibrate(case, target, factor, way):
         if norm < least:
             least = norm
             improved = iteration
+        if iteration > improved + PATIENCE and norm <= NOISE * tolerance.residual and work.held_back[0] == 0:
+            return CONVERGED, factor, iteration, norm
         if way.damping == 0.0 and iteration > improved + PATIENCE and iteration > 2 * PATIENCE:
             return TOO_MANY_ITERATIONS, factor, iteration, norm
         solved, dfactor = solve(case, target)
