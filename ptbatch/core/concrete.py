@@ -87,8 +87,8 @@ def tension(x, c):
 
 @kernel
 def concrete_stress(eps, past, c):
-    """Stress of a fibre. past, five strains and moduli as magnitudes: worst tension, its secant, worst compression, its
-    unloading modulus and residual strain.
+    """Stress of a fibre. past, five strains and moduli as magnitudes: worst tension, its secant, worst
+    compression, its unloading modulus and residual strain.
     """
     opening = eps + past[4]
     if opening.real > 0.0:  # at rest a fibre shows its compressive modulus, also where tension has none

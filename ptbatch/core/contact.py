@@ -157,8 +157,8 @@ def chords(a, b):
 def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
     """Force of the tendon node on its duct: (fx, fy, N, T_t, motion).
 
-    e3, e4, u: see `chords`. t: unit tangent of the duct; gap: across it, eq. (1). slip: along it since the last
-    step. T3, T4: tensions left and right.
+    e3, e4, u: see `chords`. t: unit tangent of the duct; gap: across it, eq. (1). slip: along it since the
+    last step. T3, T4: tensions left and right.
     """
     P = c.normal * gap  # eq. (22), both signs: the duct holds the tendon on both sides
     if c.corrected:  # along the bisector: eqs (18)-(20) without their singular cases

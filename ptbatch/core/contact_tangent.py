@@ -1,12 +1,12 @@
-"""Tangent of one contact element: complex steps in what its force depends on, and the paper's kinematics.
+"""Tangent of one contact element: complex steps in what its force depends on, and kinematics.
 
-The force on the duct depends on seven quantities: the tendon's two chords (x, y each), the gap, the direction of
-the duct and the slip. A complex step in each of them gives its derivatives by these. How gap, direction and slip
-follow the twelve degrees of freedom is kinematics, eqs (4) and (5), carried to the curved duct: with e the
-movement of the slave against the duct point under it, p' and p'' the derivatives of the duct by xi and r the gap
-as a vector,
+The force on the duct depends on seven quantities: the tendon's two chords (x, y each), the gap, the direction
+of the duct and the slip. A complex step in each of them gives its derivatives by these. How gap, direction
+and slip follow the twelve degrees of freedom is kinematics, eqs (4) and (5), carried to the curved duct: with
+e the movement of the slave against the duct point under it, p' and p'' the derivatives of the duct by xi and
+r the gap as a vector,
 
-    d gap = e . n,    d xi (p' . p' - r . p'') = e . p' + r . dp',    d direction = n . (dp' + p'' d xi) / |p'|.
+    d gap = e . n,   d xi (p' . p' - r . p'') = e . p' + r . dp',   d direction = n . (dp' + p'' d xi) / |p'|.
 """
 
 import numpy as np
@@ -63,27 +63,25 @@ def contact_tangent(q, xi, T, slope, s0, rub, rough, was, seg, c, d, f, k):
     b = (q[10] - q[0], q[11] - q[1])
     s = seg.s + xi * seg.ds
     gap = ry * tx - rx * ty
-    fx, fy, N, Tt, motion = force_derivatives(
-        a, b, gap, (tx, ty), s - s0, T, slope, rub, rough, was, c, d
-    )
+    fx, fy, N, Tt, motion = force_derivatives(a, b, gap, (tx, ty), s - s0, T, slope, rub, rough, was, c, d)
     # levers of the force about the two masters: arm and direction, by their weights
     ax1, ay1, ax2, ay2 = px[0] - q[2], py[0] - q[3], px[2] - seg.h - q[5], py[2] - q[6]
-    Ax, Ay = w[0] * ax1 + w[1] * px[1], w[0] * ay1 + w[1] * py[1]
-    Bx, By = w[2] * ax2 + w[3] * px[3], w[2] * ay2 + w[3] * py[3]
+    lever1 = w[0] * ax1 + w[1] * px[1], w[0] * ay1 + w[1] * py[1]
+    lever2 = w[2] * ax2 + w[3] * px[3], w[2] * ay2 + w[3] * py[3]
     couple = rx * fy - ry * fx
     f[0] = fx
     f[1] = fy
     f[2] = -fx * w[0]
     f[3] = -fy * w[0]
-    f[4] = -(fy * Ax - fx * Ay + (1.0 - xi) * couple)
+    f[4] = -(fy * lever1[0] - fx * lever1[1] + (1.0 - xi) * couple)
     f[5] = -fx * w[2]
     f[6] = -fy * w[2]
-    f[7] = -(fy * Bx - fx * By + xi * couple)
+    f[7] = -(fy * lever2[0] - fx * lever2[1] + xi * couple)
     bend = 1.0 / (speed * speed - rx * cx - ry * cy)
     for j in range(8, 12):  # neighbours move the chords alone
         row = j - 8
         sign = -1.0 if j < 10 else 1.0
-        spread(sign * d[row, 0], sign * d[row, 1], xi, rx, ry, w, Ax, Ay, Bx, By, j, k)
+        spread(sign * d[row, 0], sign * d[row, 1], xi, rx, ry, w, lever1, lever2, j, k)
     # movement e of the slave against the duct point, and dp', by each of the first eight degrees of freedom
     for j in range(8):
         ex = ey = vx_j = vy_j = 0.0
@@ -96,14 +94,14 @@ def contact_tangent(q, xi, T, slope, s0, rub, rough, was, seg, c, d, f, k):
         elif j == 3:
             ey, vy_j = -w[0], w1[0]
         elif j == 4:
-            ex, ey = Ay, -Ax
+            ex, ey = lever1[1], -lever1[0]
             vx_j, vy_j = -(w1[0] * ay1 + w1[1] * py[1]), w1[0] * ax1 + w1[1] * px[1]
         elif j == 5:
             ex, vx_j = -w[2], w1[2]
         elif j == 6:
             ey, vy_j = -w[2], w1[2]
         else:
-            ex, ey = By, -Bx
+            ex, ey = lever2[1], -lever2[0]
             vx_j, vy_j = -(w1[2] * ay2 + w1[3] * py[3]), w1[2] * ax2 + w1[3] * px[3]
         dxi = (ex * vx + ey * vy + rx * vx_j + ry * vy_j) * bend
         dgap = ey * tx - ex * ty
@@ -114,34 +112,34 @@ def contact_tangent(q, xi, T, slope, s0, rub, rough, was, seg, c, d, f, k):
         if j < 2:
             dfx += d[j, 0] - d[j + 2, 0]
             dfy += d[j, 1] - d[j + 2, 1]
-        spread(dfx, dfy, xi, rx, ry, w, Ax, Ay, Bx, By, j, k)
+        spread(dfx, dfy, xi, rx, ry, w, lever1, lever2, j, k)
         # what the force itself does as weights, levers and gap change
         drx, dry = ex - vx * dxi, ey - vy * dxi
         dcouple = drx * fy - dry * fx
-        dAx, dAy = (w1[0] * ax1 + w1[1] * px[1]) * dxi, (w1[0] * ay1 + w1[1] * py[1]) * dxi
-        dBx, dBy = (w1[2] * ax2 + w1[3] * px[3]) * dxi, (w1[2] * ay2 + w1[3] * py[3]) * dxi
+        dlever1_x, dlever1_y = (w1[0] * ax1 + w1[1] * px[1]) * dxi, (w1[0] * ay1 + w1[1] * py[1]) * dxi
+        dlever2_x, dlever2_y = (w1[2] * ax2 + w1[3] * px[3]) * dxi, (w1[2] * ay2 + w1[3] * py[3]) * dxi
         if j == 4:
-            dAx, dAy = dAx - Ay, dAy + Ax
+            dlever1_x, dlever1_y = dlever1_x - lever1[1], dlever1_y + lever1[0]
         elif j == 7:
-            dBx, dBy = dBx - By, dBy + Bx
+            dlever2_x, dlever2_y = dlever2_x - lever2[1], dlever2_y + lever2[0]
         k[2, j] -= fx * w1[0] * dxi
         k[3, j] -= fy * w1[0] * dxi
-        k[4, j] -= fy * dAx - fx * dAy + (1.0 - xi) * dcouple - dxi * couple
+        k[4, j] -= fy * dlever1_x - fx * dlever1_y + (1.0 - xi) * dcouple - dxi * couple
         k[5, j] -= fx * w1[2] * dxi
         k[6, j] -= fy * w1[2] * dxi
-        k[7, j] -= fy * dBx - fx * dBy + xi * dcouple + dxi * couple
+        k[7, j] -= fy * dlever2_x - fx * dlever2_y + xi * dcouple + dxi * couple
     return N, Tt, s, motion
 
 
 @kernel
-def spread(dfx, dfy, xi, rx, ry, w, Ax, Ay, Bx, By, j, k):
+def spread(dfx, dfy, xi, rx, ry, w, lever1, lever2, j, k):
     """Column j of k for a change (dfx, dfy) of the force on the slave, its place being as it is."""
     couple = rx * dfy - ry * dfx
     k[0, j] = dfx
     k[1, j] = dfy
     k[2, j] = -dfx * w[0]
     k[3, j] = -dfy * w[0]
-    k[4, j] = -(dfy * Ax - dfx * Ay + (1.0 - xi) * couple)
+    k[4, j] = -(dfy * lever1[0] - dfx * lever1[1] + (1.0 - xi) * couple)
     k[5, j] = -dfx * w[2]
     k[6, j] = -dfy * w[2]
-    k[7, j] = -(dfy * Bx - dfx * By + xi * couple)
+    k[7, j] = -(dfy * lever2[0] - dfx * lever2[1] + xi * couple)
