@@ -45,7 +45,8 @@ def tested() -> list[Row]:
     return [
         _figure(14, kind, beams, TAO_AND_DU, "load and deflection of Tao and Du's beams with and without "
                 "friction. UNVERIFIED INPUT."),
-        _figure(15, kind, ["Slab 4", "Slab 5"], COOKE, "load and deflection of Cooke's slabs. ASSUMED: fc, fpe."),
+        _figure(15, kind, ["Slab 4", "Slab 5"], COOKE, "load and deflection of Cooke's slabs. ASSUMED "
+                "fc and fpe."),
     ]  # fmt: skip
 
 

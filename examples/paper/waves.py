@@ -12,6 +12,8 @@ from math import atan, pi, sin
 from types import SimpleNamespace
 
 from examples.paper.members import Row, specimens
+from ptbatch.geometry.curve import Profile
+from ptbatch.geometry.profile import ideal_profile
 
 ELEMENTS = 30  # of a span; the paper has 59 along both
 PER_WAVE = 4
@@ -43,12 +45,14 @@ def profile_rows() -> Iterator[Row]:
 
 
 def amplitude(row: Row, *wave: float) -> float:
-    """Amplitude [mm] that makes the tendon of a specimen turn by K / mu times its length more.
+    """Amplitude [mm] that makes the tendon of a specimen turn by K / mu times its length more than the ideal
+    one.
 
     wave: beam elements to a wave and its phase at the left end [rad], where they are not those above.
     """
-    straight = points(row, 0.0)
-    wanted = _turned(straight) + row["K [1/ft]"] / row["mu [1/rad]"] * straight[-1][0] / FOOT
+    profile = _profile(row)
+    length = float(profile.arc_length(profile.breaks[-1]))
+    wanted = profile.total_angle + row["K [1/ft]"] / row["mu [1/rad]"] * length / FOOT
     low, high = 0.0, 100.0
     while high - low > 1e-9:
         middle = 0.5 * (low + high)
@@ -65,10 +69,7 @@ def _spacing(row: Row) -> float:
     return _numbers(row["span [ft]"])[0] * FOOT / ELEMENTS
 
 
-def points(row: Row, size: float, per_wave: float = PER_WAVE, phase: float = 0.0) -> list[Point]:
-    """x and depth [mm] at the beam nodes."""
-    from ptbatch.geometry.profile import ideal_profile
-
+def _profile(row: Row) -> Profile:
     shape = SimpleNamespace(
         span=[length * FOOT for length in _numbers(row["span [ft]"])],
         dp=[depth * INCH for depth in _numbers(row["dp [in]"])],
@@ -76,10 +77,14 @@ def points(row: Row, size: float, per_wave: float = PER_WAVE, phase: float = 0.0
         inflection=row["inflection"],
         profile_points=(),
     )
-    profile = ideal_profile(shape)
-    nodes = [i * _spacing(row) for i in range(ELEMENTS * len(shape.span) + 1)]
-    waves = [size * sin(2.0 * pi * i / per_wave + phase) for i in range(len(nodes))]
-    return [(x, float(profile.depth(x)) + wave) for x, wave in zip(nodes, waves, strict=True)]
+    return ideal_profile(shape)
+
+
+def points(row: Row, size: float, per_wave: float = PER_WAVE, phase: float = 0.0) -> list[Point]:
+    """x and depth [mm] at the beam nodes."""
+    profile, step = _profile(row), _spacing(row)
+    nodes = [(i, i * step) for i in range(round(profile.breaks[-1] / step) + 1)]
+    return [(x, float(profile.depth(x)) + size * sin(2.0 * pi * i / per_wave + phase)) for i, x in nodes]
 
 
 def _turned(line: list[Point]) -> float:
