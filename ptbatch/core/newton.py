@@ -6,6 +6,7 @@ import numpy as np
 
 from ptbatch.core.assembly import internal_forces, tangent
 from ptbatch.core.banded import factorise, substitute
+from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
@@ -13,6 +14,7 @@ from ptbatch.core.model import PRESCRIBED, tendon_dof
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
 NONE, FREE, FROZEN = range(3)  # searching along a step
+NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
 PATIENCE = 6  # iterations in which an undamped way must bring its residual down
 
 
@@ -144,10 +146,11 @@ def solve(case, target):
     for i in range(work.du.size):
         work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
     substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
-    reach = work.du_load[target.dof]
+    reach = driven(work.du_load, target.dof, target.other)
     if reach == 0.0:
         return False, 0.0
-    dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
+    left = target.value - driven(work.trial, target.dof, target.other)
+    dfactor = (left - driven(work.du, target.dof, target.other)) / reach
     for i in range(work.du.size):
         work.du[i] += dfactor * work.du_load[i]
     return True, dfactor
@@ -175,6 +178,8 @@ def equilibrate(case, target, factor, way):
         if norm < least:
             least = norm
             improved = iteration
+        if iteration > improved + PATIENCE and norm <= NOISE * tolerance.residual and work.held_back[0] == 0:
+            return CONVERGED, factor, iteration, norm
         if way.damping == 0.0 and iteration > improved + PATIENCE and iteration > 2 * PATIENCE:
             return TOO_MANY_ITERATIONS, factor, iteration, norm
         solved, dfactor = solve(case, target)

@@ -45,8 +45,7 @@ class Work(NamedTuple):
     k8: np.ndarray  # (8, 12)
     z6: np.ndarray  # complex
     w6: np.ndarray
-    z12: np.ndarray
-    w8: np.ndarray
+    d7: np.ndarray  # (7, 2)
 
 
 WorkRef = reference(Work, "WorkRef")
@@ -56,7 +55,7 @@ def new_work(n: int, half: int) -> Work:
     """Work for n beam elements and a half bandwidth."""
     ndof = 5 * n + 7
     vectors = [np.zeros(ndof) for _ in range(6)]
-    complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6, 12, 8)]
+    complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6)]
     arrays = [
         *vectors,
         np.zeros((ndof, 2 * half + 1)),
@@ -83,5 +82,6 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(8),
         np.zeros((8, 12)),
         *complex_scratch,
+        np.zeros((7, 2)),
     ]
     return Work(*arrays)
