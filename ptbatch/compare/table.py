@@ -45,7 +45,7 @@ def open_table(
     if faults:
         raise ReadError(f"{path}:\n" + "\n".join(faults))
     if not table.rows:
-        raise ReadError(f"{path}: sheet {raw.name} has no rows below its headers; add one per {key}")
+        raise ReadError(f"{path}: sheet {raw.name} has no rows below its headers; add some")
     return table
 
 
