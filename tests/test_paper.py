@@ -12,6 +12,7 @@ import pytest
 from examples.build import PAPER, PUBLISHED, ROOT
 from examples.paper.table_1 import EXACT, SPREAD
 from examples.paper.waves import amplitude, ideal_specimens, points
+from ptbatch.analysis import analyse
 from ptbatch.batch import run_workbook
 from ptbatch.cli import exit_code
 from ptbatch.compare.columns import COLUMNS, FIGURES
@@ -21,6 +22,7 @@ from ptbatch.compare.published import read_published
 from ptbatch.compare.results import read_results
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.losses import analytic_losses
+from ptbatch.workbook.inputs import read_inputs
 from ptbatch.workbook.stored import read_stored
 
 REPORT = "docs/verification.md"
@@ -129,6 +131,22 @@ def test_friction_hardly_changes_a_curve(path, members, limit):
     deflection, load = (without.curves.numbers(header) for header in CURVE)
     other = np.interp(deflection, *(with_friction.curves.numbers(header) for header in CURVE))
     assert np.abs(other - load).max() < limit / 100.0 * without.value("load_peak [kN]")
+
+
+def test_fine_steps_find_where_friction_matters_most():
+    """Frozen: what the note in the published table says of Specimen 2."""
+    rows = {row.name: row.member for row in read_inputs(ROOT / PAPER).only(PAIR).rows}
+    deflection = np.linspace(1.0, 76.0, 751)
+    with_friction, without = (
+        np.interp(deflection, curve.deflection, curve.load)
+        for curve in (analyse(rows[name], refine=8).curve for name in PAIR)
+    )
+    less = without - with_friction
+    peak = 196.5e3
+    assert 100.0 * np.max(less / without) == pytest.approx(2.7, abs=0.05)
+    assert deflection[np.argmax(less / without)] == pytest.approx(10.5, abs=0.3)
+    assert 100.0 * less.max() / peak == pytest.approx(2.2, abs=0.05)
+    assert deflection[np.argmax(less)] == pytest.approx(15.9, abs=0.2)
 
 
 def test_friction_clearly_changes_the_stress_along_specimen_2(value):

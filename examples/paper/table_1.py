@@ -66,7 +66,8 @@ OF_FEA = "0.5 percentage points: the profile is reconstructed, fc and bars are a
 ONE_SINE = (
     "the paper's own analytical number is {} %, which is met. Its FEA has one sine for wobble, which turns "
     "the tendon more where it is flat, near the jack: with that {} % is met as well, see Specimen 2, wobble "
-    "as waves. Wobble that is the same everywhere would need a set of {} mm in place of {} (closed form)"
+    "as waves. Wobble that is the same everywhere would need a set of {} mm in place of {} (closed form); "
+    "the paper's mesh and its polygon in place of the smooth duct change nothing in that"
 )
 
 

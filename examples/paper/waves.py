@@ -61,6 +61,7 @@ def amplitude(row: Row, *wave: float) -> float:
 
 
 def ideal_specimens() -> list[Row]:
+    """Specimens with a set, their profiles without waves."""
     return [row for row in specimens() if row["set [in]"] and "wobble" not in row]
 
 
