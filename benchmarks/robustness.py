@@ -1,4 +1,4 @@
-"""Whether the solver arrives: `python -m benchmarks.robustness` analyses a population and prints how it ended.
+"""Whether the solver arrives: `python -m benchmarks.robustness` analyses a population, prints how it ended.
 
 Prints how many members ended in which way, every member that did not arrive with its message, the largest
 imbalance of any accepted step, and how iterations and time are distributed.

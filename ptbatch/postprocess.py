@@ -170,12 +170,12 @@ def _curve(run: "Run", rows: NDArray[np.int64], length: Array) -> Curve:
     factor, u, T = history.factor[rows], history.u[rows], history.T[rows]
     up = node_values(u, len(setup.mesh.x), 1)[:, setup.mesh.control]
     ends = history.anchor[rows] / Aps
-    moments = [section_moments(setup.mesh.x, u[i], history.f[row]) for i, row in enumerate(rows)]
+    moments = section_moments(setup.mesh.x, u, history.f[rows]).reshape(len(rows), -1)
     return Curve(
         factor,
         factor * setup.live_total,
         setup.mesh.sense * (up - up[0]),
-        np.array([moment.ravel()[np.argmax(np.abs(moment))] for moment in moments]),
+        moments[np.arange(len(rows)), np.abs(moments).argmax(axis=1)],
         np.minimum(T.min(axis=1) / Aps, ends.min(axis=1)),
         np.average(T, axis=1, weights=length) / Aps,
         np.maximum(T.max(axis=1) / Aps, ends.max(axis=1)),

@@ -55,10 +55,11 @@ class Drive(NamedTuple):
 
 
 class Trial(NamedTuple):
-    """A step that was tried: its length, the length tried, whether it found equilibrium, at which load
-    factor, and the largest limit strain's utilisation there."""
+    """A step that was tried: its length, whether it started ahead (see `reach`) and found equilibrium, at
+    which load factor, and the largest limit strain's utilisation there."""
 
     step: float
+    ahead: bool
     converged: bool
     factor: float
     iterations: int
@@ -131,7 +132,7 @@ def reach(case, load, drive, step, way, ahead):
     status, factor, iterations, error = find_equilibrium(case, target, way.factor, share)
     concrete, bars, tendon = utilisation(case, case.work.trial)
     demand = max(concrete, bars, tendon)
-    return Trial(step, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
+    return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
 
 
 @kernel
@@ -149,7 +150,7 @@ def approach(case, load, drive, step, way):
 def jump(case, load, drive, step, control, left, way):
     """The first longer step that finds equilibrium, across the snap-back of a crack that opens at once."""
     size = 0.5 * control.largest
-    trial = Trial(0.0, False, 0.0, 0, 0.0, 0.0, False)
+    trial = Trial(0.0, False, False, 0.0, 0, 0.0, 0.0, False)
     for _ in range(LONGER):
         if step < size <= left and not trial.converged:
             trial = reach(case, load, drive, size, way, False)
@@ -170,7 +171,7 @@ def land(case, load, drive, over, way):
         last = trial
         if last.demand <= OVERSHOOT:
             return last
-    return reach(case, load, drive, last.step, way, False)
+    return reach(case, load, drive, last.step, way, last.ahead)  # it converged, so it does again
 
 
 @kernel
@@ -179,6 +180,8 @@ def take(case, stage, load, drive, trial, way):
     far the load has come."""
     if not way.failed and trial.demand > OVERSHOOT:
         trial = land(case, load, drive, trial, way)
+    if not trial.converged:
+        return trial, way
     accept(case, stage, trial.factor, trial.iterations, trial.error)
     failed = way.failed or trial.demand >= 1.0
     allowed = way.allowed
@@ -194,14 +197,14 @@ def turn_hinge(case, stage, load, control, way):
     furthest = deflection(case, control)
     drive, step = fastest(case)
     way = Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
-    trial = Trial(0.0, False, way.factor, 0, 0.0, way.used, False)
+    trial = Trial(0.0, False, False, way.factor, 0, 0.0, way.used, False)
     for _ in range(HINGE_STEPS):
         if case.history.rows[0] >= case.history.stage.size or case.work.spent[0] >= way.allowed:
             break
         before = deflection(case, control)
         trial = approach(case, load, drive, step, way)
         if not trial.converged or trial.factor < LOST * way.most:
-            trial = Trial(0.0, False, way.factor, 0, 0.0, way.used, False)
+            trial = Trial(0.0, False, False, way.factor, 0, 0.0, way.used, False)
             break
         trial, way = take(case, stage, load, drive, trial, way)
         now = deflection(case, control)
