@@ -166,6 +166,8 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
         for i in range(6):
             work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
         beam_forces(e, model, state, work.q6, work.f6)
+        for i in range(3):
+            work.left_end[e, i] = work.f6[i]
         for i in range(6):
             work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
     for e in range(1, n):

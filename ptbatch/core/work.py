@@ -34,7 +34,8 @@ class Work(NamedTuple):
     motion: np.ndarray  # (n+2,) int, of the tendon nodes along the duct in the last iteration
     held_back: np.ndarray  # (1,) int, how many of them were held where friction alone would not
     spent: np.ndarray  # (1,) int, iterations so far
-    on_beam: np.ndarray  # (n+1, 3) forces on the beam nodes, for the check by statics
+    on_beam: np.ndarray  # (n+1, 3) for the check by statics: forces on the beam nodes,
+    left_end: np.ndarray  # (n+1, 3) and those of the fibres at the left end of each element
     half_tan: np.ndarray  # (2,) tan(theta/2) of the kinks at the anchors
     f6: np.ndarray
     q6: np.ndarray
@@ -72,6 +73,7 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(n + 2, np.int64),
         np.zeros(1, np.int64),
         np.zeros(1, np.int64),
+        np.zeros((n + 1, 3)),
         np.zeros((n + 1, 3)),
         np.zeros(2),
         np.zeros(6),
