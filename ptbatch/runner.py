@@ -16,7 +16,7 @@ def run_members(members: Sequence[Member], jobs: int = 1, progress: Progress | N
     """Outcomes in the order of the members. An exception in one row stays in that row."""
     if not members:
         return []
-    run = _engine()
+    run = engine()
     with ThreadPoolExecutor(max_workers=jobs) as pool:
         futures = {pool.submit(run, member): member for member in members}
         try:
@@ -29,7 +29,7 @@ def run_members(members: Sequence[Member], jobs: int = 1, progress: Progress | N
         return [future.result() for future in futures]
 
 
-def _engine() -> Callable[[Member], Outcome]:
+def engine() -> Callable[[Member], Outcome]:
     """The analysis of one member; what it needs is imported here, before any thread starts."""
     from ptbatch.analysis import analyse
     from ptbatch.tables import crack_rows, curve_rows, summary_row, tendon_rows
@@ -48,7 +48,7 @@ def _engine() -> Callable[[Member], Outcome]:
                 [_checked(row, CRACKS) for row in crack_rows(member, response)],
             )
         except Exception as error:
-            return _crashed(error)
+            return crashed(error)
 
     return run
 
@@ -57,6 +57,7 @@ def _checked(row: Mapping[str, Any], headers: Sequence[str]) -> dict[str, Any]:
     return {header: row[header] for header in headers if header != "member"}
 
 
-def _crashed(error: Exception) -> Outcome:
+def crashed(error: Exception) -> Outcome:
+    """What is told of a row that the program failed at."""
     message = f"internal error: {type(error).__name__}: {error}; please report it, with this row"
     return Outcome("not converged", message, dict.fromkeys(SUMMARY, NOT_ANALYSED))
