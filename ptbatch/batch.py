@@ -3,7 +3,7 @@
 import os
 import platform
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from datetime import datetime
 from importlib.metadata import PackageNotFoundError, version
@@ -13,12 +13,14 @@ from typing import Any
 
 from ptbatch import __version__
 from ptbatch.errors import WriteError
-from ptbatch.runner import Progress, run_members
+from ptbatch.runner import Outcomes, on_threads
 from ptbatch.workbook.inputs import Inputs, read_inputs
-from ptbatch.workbook.results import Outcome, result_sheets, summary_headers, summary_line
+from ptbatch.workbook.results import NOT_ANALYSED, Outcome, result_sheets, summary_headers, summary_line
 from ptbatch.workbook.write import write_workbook
 
-STATUSES = ("ok", "warning", "invalid", "not converged")
+STATUSES = ("ok", "warning", "invalid", "not converged", NOT_ANALYSED)
+
+Progress = Callable[[int, int, str], None]  # rows done, rows in all, the member just finished
 
 
 @dataclass(frozen=True)
@@ -49,10 +51,12 @@ def run_workbook(
     jobs: int = 1,
     only: Iterable[str] = (),
     progress: Progress | None = None,
+    outcomes: Outcomes | None = None,
 ) -> Batch:
     """Analyse the members of a workbook and write the results workbook.
 
-    only: names of members, all if empty. Raises ReadError, UnknownMemberError, WriteError.
+    only: names of members, all if empty. outcomes: who analyses them, `jobs` threads if None. Raises
+    ReadError, UnknownMemberError, WriteError.
     """
     start, started = perf_counter(), datetime.now()
     only = tuple(only)
@@ -60,8 +64,8 @@ def run_workbook(
     inputs = read_inputs(source)
     inputs = inputs.only(only) if only else inputs
     check_target(path, source)
-    outcomes = _outcomes(inputs, jobs, progress)
-    lines = [summary_line(row, outcome) for row, outcome in zip(inputs.rows, outcomes, strict=True)]
+    done = list(_done(inputs, outcomes or on_threads(jobs), progress))
+    lines = [summary_line(row, outcome) for row, outcome in zip(inputs.rows, done, strict=True)]
     tally = Counter(line[1] for line in lines)
     counts = {status: tally[status] for status in STATUSES}
     run = {
@@ -71,7 +75,7 @@ def run_workbook(
         **{"rows": len(lines), **{f"rows {status}": count for status, count in counts.items()}},
         "wall time [s]": perf_counter() - start,
     }
-    written = write_workbook(path, result_sheets(inputs, lines, outcomes, run))
+    written = write_workbook(path, result_sheets(inputs, lines, done, run))
     return Batch(inputs, summary_headers(inputs), lines, counts, path, written)
 
 
@@ -85,11 +89,13 @@ def check_target(path: Path, source: Path) -> None:
         raise WriteError(f"{path} cannot be written: the folder is read-only; give another one with -o")
 
 
-def _outcomes(inputs: Inputs, jobs: int, progress: Progress | None) -> list[Outcome | None]:
+def _done(inputs: Inputs, outcomes: Outcomes, progress: Progress | None) -> Iterator[Outcome | None]:
     """Outcomes of all rows in their order, None for invalid ones."""
-    members = [row.member for row in inputs.rows if row.member is not None]
-    done = iter(run_members(members, jobs, progress))
-    return [None if row.member is None else next(done) for row in inputs.rows]
+    found = outcomes(row.member for row in inputs.rows if row.member is not None)
+    for done, row in enumerate(inputs.rows, 1):
+        yield None if row.member is None else next(found)
+        if progress:
+            progress(done, len(inputs.rows), row.name)
 
 
 def _identity(started: datetime, inputs: Inputs) -> dict[str, Any]:

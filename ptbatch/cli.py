@@ -12,8 +12,7 @@ from ptbatch import __version__
 from ptbatch.errors import OutputNameError, PtbatchError, UnknownMemberError
 
 if TYPE_CHECKING:
-    from ptbatch.batch import Batch
-    from ptbatch.runner import Progress
+    from ptbatch.batch import Batch, Progress
 
 OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
 PASSED = ("ok", "warning")

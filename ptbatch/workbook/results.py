@@ -56,6 +56,7 @@ CURVES = (
 CRACKS = ("member", "stage", "step", "x [mm]", "crack_from [mm]", "crack_to [mm]")
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
+NOT_ANALYSED = "not analysed"
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,11 @@ class Outcome:
     tendon: Sequence[Mapping[str, Any]] = ()
     curves: Sequence[Mapping[str, Any]] = ()
     cracks: Sequence[Mapping[str, Any]] = ()
+
+    @property
+    def analysed(self) -> bool:
+        """Whether these are results: no interruption, no internal error."""
+        return not any(str(value).startswith(NOT_ANALYSED) for value in self.summary.values())
 
 
 def summary_headers(inputs: Inputs) -> list[str]:
