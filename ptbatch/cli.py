@@ -13,6 +13,7 @@ from ptbatch.errors import OutputNameError, PtbatchError, UnknownMemberError
 
 if TYPE_CHECKING:
     from ptbatch.batch import Batch, Progress
+    from ptbatch.runner import Outcomes
 
 OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
 PASSED = ("ok", "warning")
@@ -43,13 +44,24 @@ def cli() -> None:
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Results [WORKBOOK.results.xlsx].")
 @click.option("--jobs", type=click.IntRange(1), help="Members at a time [number of CPUs].")
 @click.option("--only", multiple=True, metavar="MEMBER", help="This member alone; may be repeated.")
+@click.option("--scheduler", metavar="ADDRESS", help="Analyse on the workers of this Dask scheduler.")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary rows to stdout as JSON.")
-def run(workbook: Path, output: Path | None, jobs: int | None, only: Sequence[str], as_json: bool) -> int:
+def run(
+    workbook: Path,
+    output: Path | None,
+    jobs: int | None,
+    only: Sequence[str],
+    scheduler: str | None,
+    as_json: bool,
+) -> int:
     """Analyse the members of WORKBOOK and write a results workbook beside it."""
+    if jobs and scheduler:
+        raise click.UsageError("--jobs is for this machine: it goes without --scheduler")
     from ptbatch.batch import run_workbook
 
+    outcomes = _outcomes_of(scheduler) if scheduler else None
     try:
-        batch = run_workbook(workbook, output, jobs or os.cpu_count() or 1, only, _progress())
+        batch = run_workbook(workbook, output, jobs or os.cpu_count() or 1, only, _progress(), outcomes)
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
     if as_json:
@@ -182,6 +194,12 @@ def exit_code(args: Sequence[str] | None = None) -> int:
 
         _say(traceback.format_exc(), f"Internal error, please report it: {type(error).__name__}: {error}")
         return INTERNAL
+
+
+def _outcomes_of(scheduler: str) -> "Outcomes":
+    from ptbatch.cluster import on_cluster
+
+    return on_cluster(scheduler)
 
 
 def _say(*lines: str) -> None:

@@ -1,8 +1,8 @@
 """Members to outcomes on many machines: chunks of rows to the workers of a Dask scheduler, back in order.
 
 Finished chunks stay on their workers until their turn comes, so that memory here does not grow with the rows.
-What a lost worker had, in work or finished, Dask gives to another one. A worker of another version is found out
-by its first chunk.
+What a lost worker had, in work or finished, Dask gives to another one. A worker of another version is found
+out by its first chunk.
 """
 
 from collections import deque
@@ -10,46 +10,60 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from itertools import islice
 from statistics import median
+from threading import Event
 from time import monotonic
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ptbatch.errors import ClusterError
 from ptbatch.member import Member
-from ptbatch.runner import crashed
-from ptbatch.worker import Values, analyse_rows, identity, values
+from ptbatch.runner import CRASHED, POLL, STOPPED, Outcomes, not_analysed
 from ptbatch.workbook.results import Outcome
+from ptbatch.worker import Values, analyse_rows, identity, values
 
 if TYPE_CHECKING:
     from distributed import Client, Future
+
+Chunk = list[Values]
 
 CONNECT_SECONDS = 10
 PATIENCE = 60.0  # seconds without any worker
 CHUNK_SECONDS = 1.5  # of work in a chunk
 FIRST_ROWS, MOST_ROWS = 4, 200  # in a chunk: before a time is known, and at most
 LEAD = 4  # chunks in flight for each thread of the cluster
+DIED = "internal error: every worker that took this row died; please report it, with this row"
 CURE = "install the same ptbatch, with the same libraries, for the scheduler and all workers"
 
 
-def cluster_outcomes(members: Iterable[Member], address: str) -> Iterator[Outcome]:
-    """Outcomes in the order of the members, from the workers of the scheduler at `address`.
+def on_cluster(address: str, stop: Event | None = None) -> Outcomes:
+    """Outcomes from the workers of the scheduler at `address`.
 
-    An exception in one row stays in that row, and so does the death of all workers that try it. Members are
-    taken as they are needed. Raises ClusterError.
+    An exception in one row stays in that row, and so does the death of all workers that take it. After `stop`
+    is set, members that are not finished are not waited for. The outcomes raise ClusterError.
     """
-    cluster, rows = _Cluster(address), map(values, members)
-    flying: deque[tuple[Future, list[Values]]] = deque()
+
+    def outcomes(members: Iterable[Member]) -> Iterator[Outcome]:
+        cluster = _Cluster(address, stop or Event())
+        try:
+            yield from _in_order(cluster, map(values, members))
+        finally:
+            cluster.close()
+
+    return outcomes
+
+
+def _in_order(cluster: "_Cluster", rows: Iterator[Values]) -> Iterator[Outcome]:
+    """Outcomes in the order of the rows, of which a window of chunks is taken ahead."""
+    flying: deque[tuple[Future, Chunk]] = deque()
     size = FIRST_ROWS
-    try:
-        while True:
-            while len(flying) < cluster.window() and (chunk := list(islice(rows, size))):
-                flying.append((cluster.submit(chunk), chunk))
-            if not flying:
-                return
-            outcomes = cluster.collect(*flying.popleft())
-            size = rows_of_a_chunk(outcomes)
-            yield from outcomes
-    finally:
-        cluster.close()
+    while True:
+        while len(flying) < cluster.window() and (chunk := list(islice(rows, size))):
+            flying.append((cluster.submit(chunk), chunk))
+        if not flying:
+            break
+        outcomes = cluster.collect(*flying.popleft())
+        size = rows_of_a_chunk(outcomes)
+        yield from outcomes
+    yield from (not_analysed(STOPPED) for _ in rows)  # there are some left only if the run was stopped
 
 
 def rows_of_a_chunk(outcomes: Sequence[Outcome]) -> int:
@@ -61,8 +75,8 @@ def rows_of_a_chunk(outcomes: Sequence[Outcome]) -> int:
 class _Cluster:
     """The workers of a scheduler, as a place that chunks are sent to and collected from."""
 
-    def __init__(self, address: str) -> None:
-        self.address = address
+    def __init__(self, address: str, stop: Event) -> None:
+        self.address, self.stop = address, stop
         self.client = _connected(address)
         self.threads = 1
         self.looked = self.seen = monotonic()  # when workers were last looked for, and last there
@@ -77,39 +91,40 @@ class _Cluster:
         """Most chunks in flight, as the cluster is now."""
         if monotonic() > self.looked + 1.0:
             self._look()
-        return LEAD * self.threads
+        return 0 if self.stop.is_set() else LEAD * self.threads
 
-    def submit(self, rows: list[Values]) -> "Future":
+    def submit(self, rows: Chunk) -> "Future":
         """Send rows off."""
         with self._connection():
             return self.client.submit(analyse_rows, identity(), rows, pure=False)
 
-    def collect(self, future: "Future", rows: list[Values]) -> list[Outcome]:
+    def collect(self, future: "Future", rows: Chunk) -> list[Outcome]:
         """Wait for a chunk. Where workers die of it, its rows go one by one, to find the one that does it."""
         from distributed import KilledWorker
 
-        error = self._wait(future)
-        if isinstance(error, KilledWorker):
-            if len(rows) == 1:
-                return [crashed(RuntimeError("every worker that took this row died"))]
-            return [outcome for row in rows for outcome in self.collect(self.submit([row]), [row])]
-        if error is not None:
-            kind = type(error).__name__
-            raise ClusterError(f"{self.address} cannot run ptbatch ({kind}: {error}); {CURE}") from error
+        if not self._done(future):
+            return [not_analysed(STOPPED)] * len(rows)
         with self._connection():
-            result = future.result()
-        if result["identity"] != identity():
-            raise ClusterError(f"{difference(result['worker'], result['identity'])}; {CURE}")
-        return [Outcome(**outcome) for outcome in result["outcomes"]]
+            error = future.exception()
+            if error is None:
+                return _received(future.result())
+        if not isinstance(error, KilledWorker):
+            what = f"{type(error).__name__}: {' '.join(str(error).split())}"
+            raise ClusterError(f"{self.address} cannot run ptbatch ({what[:200]}); {CURE}") from error
+        if len(rows) == 1:
+            return [not_analysed(CRASHED, "not converged", DIED)]
+        return [outcome for row in rows for outcome in self.collect(self.submit([row]), [row])]
 
-    def _wait(self, future: "Future") -> BaseException | None:
-        """The error of a task, None once it is done without one."""
-        while True:
+    def _done(self, future: "Future") -> bool:
+        """Wait for a task; false if the run is stopped before it is done."""
+        while not self.stop.is_set():
             try:
                 with self._connection():
-                    return future.exception(timeout=1.0)
+                    future.exception(timeout=POLL)
+                return True
             except TimeoutError:
                 self._look()
+        return bool(future.done())
 
     def _look(self) -> None:
         """Count the threads of all workers. Raises ClusterError if there has been none for long."""
@@ -120,7 +135,7 @@ class _Cluster:
             self.threads, self.seen = threads, self.looked
         elif self.looked > self.seen + PATIENCE:
             raise ClusterError(
-                f"{self.address} has had no workers for {PATIENCE:g} s; start some: dask worker {self.address}"
+                f"{self.address} has had no worker for {PATIENCE:g} s; start some: dask worker {self.address}"
             )
 
     @contextmanager
@@ -151,9 +166,12 @@ def _connected(address: str) -> "Client":
         raise ClusterError(f"no scheduler answers at {address}; {cure}, and the firewall") from error
 
 
-def difference(worker: str, there: Mapping[str, str]) -> str:
-    """What a worker has that is not as it is here."""
+def _received(result: Mapping[str, Any]) -> list[Outcome]:
+    """Outcomes from what `analyse_rows` gave. Raises ClusterError if they are of another version."""
+    here, there = identity(), result["identity"]
     unlike = [
-        f"{name} {there.get(name)} (here {here})" for name, here in identity().items() if there.get(name) != here
+        f"{name} {there.get(name)} (here {here[name]})" for name in here if there.get(name) != here[name]
     ]
-    return f"the worker at {worker} has {', '.join(unlike)}"
+    if unlike:
+        raise ClusterError(f"the worker at {result['worker']} has {', '.join(unlike)}; {CURE}")
+    return [Outcome(**outcome) for outcome in result["outcomes"]]

@@ -1,11 +1,12 @@
 """What a worker of a cluster does: plain values of members in, plain values of outcomes out.
 
-With the rows comes what their digits depend on. A worker that has something else analyses nothing and says so.
+With the rows comes what their digits depend on. A worker that has something else analyses nothing and says
+so.
 """
 
 import hashlib
 import platform
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
