@@ -54,6 +54,7 @@ CURVES = (
     "event",
 )
 CRACKS = ("member", "stage", "step", "x [mm]", "crack_from [mm]", "crack_to [mm]")
+DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS}  # tables of many rows a member
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
 NOT_ANALYSED = "not analysed"
