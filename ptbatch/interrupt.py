@@ -7,9 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-STOPPING = (
-    b"\ninterrupted: finishing the rows in flight, then writing what there is; Ctrl-C again stops at once\n"
-)
+STOPPING = b"\ninterrupted: finishing the rows in flight, then writing; Ctrl-C again stops at once\n"
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from typing import Any
 
 from ptbatch.errors import ReadError
 from ptbatch.workbook.archive import MAX_UNPACKED
-from ptbatch.workbook.arrow import parquet_module
+from ptbatch.workbook.arrow import opened
 from ptbatch.workbook.read import MAX_COLUMNS, Block, RawSheet
 from ptbatch.workbook.source import BLOCK, Source, no_header
 from ptbatch.workbook.table import find_header
@@ -18,7 +18,7 @@ HEADER = 0  # number of the row of headers; those of the members count from 1
 
 def parquet_source(path: Path) -> Source:
     """The table in a Parquet file. Raises ReadError, MissingArrowError."""
-    with parquet_module().ParquetFile(path) as file:
+    with opened(path) as file:
         _check(file.metadata)
         names = dict(enumerate(file.schema_arrow.names, 1))
     head = RawSheet(path.name, {HEADER: names}, _cell)
@@ -43,7 +43,7 @@ def _cell(row: int, column: int) -> str:
 
 def _blocks(path: Path) -> Iterator[Block]:
     start = HEADER + 1
-    with parquet_module().ParquetFile(path) as file:
+    with opened(path) as file:
         for batch in file.iter_batches(BLOCK):
             columns = [column.to_pylist() for column in batch.columns]
             block = {start + i: _filled(values) for i, values in enumerate(zip(*columns, strict=True))}

@@ -128,9 +128,7 @@ def _rows(sheet: Any, formulas: Formulas, most: int) -> Block:
             raise ReadError(f"sheet {sheet.title}: cell {far} lies beyond column {MAX_COLUMNS}; clear it")
         rows[number] = filled
         if len(rows) > most:
-            raise ReadError(
-                f"sheet {sheet.title} has more than {most} rows; save the table as CSV or Parquet"
-            )
+            raise ReadError(f"sheet {sheet.title} has more than {most} rows; save it as CSV or Parquet")
     return rows
 
 
