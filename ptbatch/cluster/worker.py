@@ -20,6 +20,7 @@ from ptbatch.validation import TABLES
 from ptbatch.workbook.results import Outcome
 
 Values = dict[str, Any]
+PACKAGE = Path(__file__).parent.parent
 LIBRARIES = ("numba", "numpy", "scipy")
 
 _engine = cache(engine)
@@ -45,7 +46,7 @@ def _analyse(row: Values) -> Outcome:
 def identity() -> dict[str, str]:
     """What the digits of a result depend on: versions, and a digest of all sources."""
     digest = hashlib.sha256()
-    for path in sorted(Path(__file__).parent.rglob("*.py")):
+    for path in sorted(PACKAGE.rglob("*.py")):
         digest.update(path.read_bytes().replace(b"\r\n", b"\n"))
     return {
         "ptbatch": __version__,
