@@ -96,8 +96,8 @@ class Friction:
         return np.unique(np.append(self.path.breaks, crossing))
 
     def quadrature(self, end: End, x: float) -> tuple[Array, Array]:
-        """Friction exponents from the left, and weights, of an integral over the arc length between an end and
-        x: Gauss between the stations, of which only the last piece is new each time."""
+        """Friction exponents from the left, and weights, of an integral over the arc length from an end to x:
+        Gauss between the stations, of which only the last piece is new each time."""
         exponents, weights = self._whole_pieces
         at = int(np.searchsorted(self.stations, x, side="right" if end == "left" else "left"))
         inner = self.stations[max(at - 1, 0)] if end == "left" else self.stations[min(at, len(exponents))]

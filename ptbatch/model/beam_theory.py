@@ -14,9 +14,9 @@ Array = NDArray[np.float64]
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
-def hermite(xi: Array | float, h: float) -> Array:
+def hermite(xi: Array | float, h: Array | float) -> Array:
     """Weights (4, ...) of v1, theta1, v2, theta2 in the deflection at xi of an element of length h."""
-    xi = np.asarray(xi, dtype=float)
+    xi, h = np.asarray(xi, dtype=float), np.asarray(h, dtype=float)
     return np.array(
         [
             1 - 3 * xi**2 + 2 * xi**3,
