@@ -83,7 +83,7 @@ class Way(NamedTuple):
 
 @kernel
 def follow(case, stage, fixed, pattern, control, bonded):
-    """Load to failure; how it ended. Steps land on the first crack, on yield and on the first limit strain."""
+    """Load to failure; how it ended. Steps land on the first crack, on yield, on the first limit strain."""
     load = Load(fixed, pattern, bonded)
     deflect = Drive(control.dof, -1, control.sense)
     used, _ = demands(case, case.state.u)
