@@ -119,7 +119,7 @@ def serve(run: Run, refine: int) -> int:
         setup.mesh.sense,
         member.deflection_limit,
         member.deflection_limit / (400 * refine),
-        member.deflection_limit / (60 * refine),
+        member.deflection_limit / (40 * refine),
     )
     full = setup.self_weight + setup.sustained
     stages.sustain(run.rig, (setup.self_weight, full), bonded)
