@@ -16,7 +16,7 @@ friction force about the sheathing is passed on to the masters.
 from typing import NamedTuple
 
 from ptbatch.core.embedding import arm, turned
-from ptbatch.core.jit import inverse, kernel, root
+from ptbatch.core.jit import inverse, inverse_root, kernel, root
 
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 # Motion of a tendon node along its duct in an iteration
@@ -145,11 +145,11 @@ def as_it_moves(motion):
 def chords(a, b):
     """Unit vectors of the two chords that meet at a tendon node and of their bisector t', across n' of eqs
     (16)-(17): (e3, e4, t')."""
-    la = inverse(root(a[0] * a[0] + a[1] * a[1]))
-    lb = inverse(root(b[0] * b[0] + b[1] * b[1]))
+    la = inverse_root(a[0] * a[0] + a[1] * a[1])
+    lb = inverse_root(b[0] * b[0] + b[1] * b[1])
     ex, ey, gx, gy = a[0] * la, a[1] * la, b[0] * lb, b[1] * lb
     ux, uy = ex + gx, ey + gy
-    scale = inverse(root(ux * ux + uy * uy))
+    scale = inverse_root(ux * ux + uy * uy)
     return (ex, ey), (gx, gy), (ux * scale, uy * scale)
 
 
@@ -189,7 +189,7 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
     ry = q[1] - dot4(w, py)
     tx = dot4(w1, px)
     ty = dot4(w1, py)
-    scale = inverse(root(tx * tx + ty * ty))
+    scale = inverse_root(tx * tx + ty * ty)
     tx = tx * scale
     ty = ty * scale
     a = (q[0] - q[8], q[1] - q[9])
