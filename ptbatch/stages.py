@@ -126,4 +126,5 @@ def sustain(rig: Rig, loads: Pair, bonded: bool) -> None:
 def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bonded: bool) -> int:
     """Service, second part: the live pattern, driven by the control point's deflection to its limit or to the
     rupture of the tendon; how it ended, a key of `WHY` or DONE."""
+    rig.case.state.rub[:] *= LET_GO
     return int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))

@@ -2,7 +2,17 @@
 
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
 from ptbatch.core.beam import beam_forces, beam_tangent
-from ptbatch.core.contact import GROUTED, HELD, UNKNOWN, as_it_moves, contact_forces, project, segment
+from ptbatch.core.contact import (
+    EXPECTED_BACKWARD,
+    EXPECTED_FORWARD,
+    GROUTED,
+    HELD,
+    UNKNOWN,
+    as_it_moves,
+    contact_forces,
+    project,
+    segment,
+)
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
@@ -117,6 +127,14 @@ def end_slip(side, mode, model, u, work):
 
 
 @kernel
+def pulls_out(side, work):
+    """Whether an end of the tendon is expected to slide out in this iteration."""
+    if side == 0:
+        return work.motion[0] == EXPECTED_BACKWARD
+    return work.motion[work.motion.size - 1] == EXPECTED_FORWARD
+
+
+@kernel
 def add_ends(model, state, u, ends, work):
     """Forces of the two end elements (jack, wedge or anchorage with the tendon element next to it)."""
     n = model.x.size - 1
@@ -135,6 +153,7 @@ def add_ends(model, state, u, ends, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
+            pulls_out(side, work),
             anchor(side, model),
             model.contact,
             work.f6,
@@ -142,7 +161,13 @@ def add_ends(model, state, u, ends, work):
         work.half_tan[side] = half_tan
         slip = end_slip(side, ends.mode[side], model, u, work)
         work.shear[j] = end_friction(
-            work.T[e], half_tan, slip - state.s[j], state.rub[j], work.rough[j], model.contact
+            work.T[e],
+            half_tan,
+            slip - state.s[j],
+            state.rub[j],
+            work.rough[j],
+            pulls_out(side, work),
+            model.contact,
         )
         gap = tendon_dof(j)
         node = beam_dof(side * n)
@@ -235,6 +260,8 @@ def tangent(model, state, u, ends, bonded, damping, work):
     for side in range(2):
         add_end_tangent(side, model, state, u, ends, work)
     add_ends(model, state, u, ends, work)
+    work.motion[0] = UNKNOWN  # what was expected has been taken as given, once
+    work.motion[n + 1] = UNKNOWN
 
 
 @kernel
@@ -371,6 +398,7 @@ def add_end_tangent(side, model, state, u, ends, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
+            pulls_out(side, work),
             a,
             model.contact,
             work.w6,

@@ -121,11 +121,13 @@ def friction(slip, rub, N, T, rough, was, c):
     if was == GROUTED:
         return trial, GROUTED
     capacity = c.mu * N + rough * T
-    limit = ALMOST * capacity.real
     if was == EXPECTED_FORWARD:
         return capacity, FORWARD
     if was == EXPECTED_BACKWARD:
         return -capacity, BACKWARD
+    if capacity.real < 0.0:
+        capacity = 0.0 * capacity
+    limit = ALMOST * capacity.real
     if trial.real >= limit:
         return (trial, HELD) if was == BACKWARD else (capacity, FORWARD)
     if trial.real <= -limit:
@@ -182,8 +184,11 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
     s = seg.s + xi_c * seg.ds
     # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing,
     # and its sign with it; what the tendon's own kink presses does not.
-    press = T4 * (by * ux - bx * uy) / lb - T3 * (ay * ux - ax * uy) / la
-    press = press if press.real >= 0.0 else -press
+    into3 = (ax * uy - ay * ux) / la
+    into4 = (by * ux - bx * uy) / lb
+    press = T3 * into3 + T4 * into4
+    # by the kink, so that a slack tendon knows as well which way it is going to press
+    press = press if (into3 + into4).real >= 0.0 else -press
     Tt, motion = friction(s - s0, rub, press, 0.5 * (T3 + T4), rough, was, c)
     fx = Tt * ux - N * uy
     fy = Tt * uy + N * ux
