@@ -41,10 +41,7 @@ def value(path):
 
 
 # Just after cracking friction changes the load on Specimen 2 by more than the 2 % that the issue allows.
-NOT_MET = [
-    ("Specimen 2, friction", f"load, at {deflection} mm / that of Specimen 2, no friction")
-    for deflection in (10, 15)
-]
+NOT_MET = [("Specimen 2, friction", "load, at 10 mm / that of Specimen 2, no friction")]
 
 
 def test_what_fails_is_known(comparison):

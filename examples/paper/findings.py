@@ -19,7 +19,7 @@ def findings() -> list[Row]:
 def curves_of_specimen_2() -> list[Row]:
     """Load at deflections with and without friction, both jacked to the same stress."""
     source = f"{PAPER}, Fig. 12 and text: almost identical through the entire loading path"
-    # At 10 and 15 mm not marked as not reproducible: the source is sound, we do not meet it there.
+    # At 10 mm not marked as not reproducible: the source is sound, we do not meet it there.
     cracking = (
         f"{HARDLY} Just after cracking we do not meet it: jacked to the same stress, the tendon without "
         "friction keeps 1376 MPa on average in place of 1295, and its member cracks at 115 kN in place of "
