@@ -1,1 +1,2 @@
-"""What is measured rather than tested: speed, and whether the solver arrives on members nobody tuned it for."""
+"""What is measured rather than tested: speed, and whether the solver arrives on members that nobody tuned it
+for."""

@@ -98,7 +98,9 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
             break
         fpj = run.fpj + (wanted - mean) * (run.fpj - before[0]) / (mean - before[1])
         before = run.fpj, mean
-        run = prepare(run.setup, fpj)
+        again = prepare(run.setup, fpj)
+        again.rig.case.work.spent[:] = run.rig.case.work.spent  # one budget for all of them
+        run = again
         stress(run)
     return run
 

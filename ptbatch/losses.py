@@ -139,8 +139,8 @@ class Losses:
 
     @property
     def set_zone(self) -> tuple[float, float]:
-        """Arc lengths [mm] up to which the set of the left end moves the tendon, and from which on that of the
-        right end does; beyond the tendon where that end is not live."""
+        """Arc lengths [mm] up to which the set of the left end moves the tendon, and from which on that of
+        the right end does; beyond the tendon where that end is not live."""
         path, length = self.friction.path, self.friction.length
         left, right = (self.still.get(end) for end in ("left", "right"))
         return (

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch import stages
-from ptbatch.core.ramp import DONE
+from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
 from ptbatch.events import Service, find_events
 from ptbatch.geometry.section import gross_section
@@ -39,22 +39,22 @@ def finished(run: "Run", ended: int) -> Response:
     events, failure = find_events(service)
     if not complete and not failure:
         last = curve.load[-1]
-        if last > 0.98 * curve.load.max():
+        if ended != NO_EQUILIBRIUM or last > 0.98 * curve.load.max():
             end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
-            message = f"live load: no equilibrium found beyond {end}"
+            message = f"live load: {stages.WHY[ended]} beyond {end}"
             common |= _states(run, rows, common["tendon"])
             return Response(**common, curve=curve, status="not converged", message=message)
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
     common |= _states(run, rows, common["tendon"], round(peak.step))
-    note = f"the curve ends at {curve.deflection[-1]:.4g} mm: no further equilibrium was found"
+    note = "" if complete else f"the curve ends at {curve.deflection[-1]:.4g} mm: {stages.WHY[ended]} beyond"
     return Response(
         **common,
         curve=curve,
         events=events,
         failure=failure or "deflection limit",
         status="ok",
-        message="" if complete else note,
+        message=note,
     )
 
 
