@@ -1,4 +1,4 @@
-"""The random members of the benchmarks: drawn alike for ever, as wide as the workbook, and all of them solved."""
+"""The random members of the benchmarks: drawn alike for ever, as wide as the workbook, and all solved."""
 
 import pytest
 
