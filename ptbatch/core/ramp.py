@@ -2,17 +2,17 @@
 another."""
 
 from ptbatch.core.case import Target
+from ptbatch.core.contact import GROUTED
+from ptbatch.core.equilibrium import imbalance
+from ptbatch.core.history import rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import PRESCRIBED
-from ptbatch.core.newton import CONVERGED
-from ptbatch.core.step import SPENT, accept, find_equilibrium
+from ptbatch.core.newton import CONVERGED, equilibrate
+from ptbatch.core.step import SPENT, WAYS, accept, find_equilibrium
 
 DONE, NO_EQUILIBRIUM, NO_BUDGET, NO_ROOM = range(4)  # how a stage ended
 
 SMALLEST = 1e-4  # of a stage: below this a step is given up
-SHORT = 0.98  # of the expected movement of a second jack: where its force is looked at for the first time
-SAME = 1e-7  # of the force: two jacks pull alike
-RIGHT = 1
+SAME = 1e-8  # of the force: nodes that friction holds but for so little rest
 
 
 @kernel
@@ -21,7 +21,7 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
     they must be; returns (how it ended, share of the stage done)."""
     load = load_from.copy()
     target = Target(load, load, -1, 0.0, bonded)  # under a factor of zero
-    done, step = 0.0, first
+    done, step, rest = 0.0, first, held_node(case)
     while done < 1.0:
         if case.history.rows[0] >= case.history.stage.size:
             return NO_ROOM, done
@@ -30,7 +30,10 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
             case.ends.value[i] = end_from[i] + share * (end_to[i] - end_from[i])
         for i in range(load.size):
             load[i] = load_from[i] + share * (load_to[i] - load_from[i])
-        status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
+        if rest > 0:
+            status, iterations, error, rest = settle(case, target, rest)
+        else:
+            status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
         if status == CONVERGED:
             accept(case, stage, 0.0, iterations, error)
             done = share
@@ -45,35 +48,48 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
 
 
 @kernel
-def pull_second_end(case, stage, force, movement, weight, first):
-    """Jacking from two ends: the left one is pulled to `force`; the right one is moved outward until its
-    force is the same, a little less than its expected movement first, so that the force is approached from
-    below, then by what is missing. Returns as `ramp` does."""
-    case.ends.mode[RIGHT] = PRESCRIBED
-    start = case.ends.value.copy()
-    goal = case.ends.value.copy()
-    start[0], goal[0] = 0.0, force
-    start[RIGHT] = case.state.u[case.state.u.size - 2]
-    goal[RIGHT] = start[RIGHT] + SHORT * movement
-    ended, done = ramp(case, stage, 0.0 * weight, weight, start, goal, False, first)
-    if ended != DONE:
-        return ended, done
-    slope = right_force(case) / (goal[RIGHT] - start[RIGHT])
-    for _ in range(20):
-        before = right_force(case)
-        missing = force - before
-        if abs(missing) <= SAME * force:
-            return DONE, 1.0
-        start[:] = goal
-        goal[RIGHT] += missing / slope
-        ended, done = ramp(case, stage, weight, weight, start, goal, False, 1.0)
-        if ended != DONE:
-            return ended, 1.0
-        slope = (right_force(case) - before) / (goal[RIGHT] - start[RIGHT])
-    return NO_EQUILIBRIUM, 1.0
+def held_node(case):
+    """The tendon node that is expected to rest while both ends are pulled; 0 where there is none."""
+    for j in range(1, case.state.motion.size - 1):
+        if case.state.motion[j] == GROUTED:
+            return j
+    return 0
 
 
 @kernel
-def right_force(case):
-    """Force at the right anchor in the last recorded step."""
-    return case.history.anchor[case.history.rows[0] - 1, RIGHT]
+def settle(case, target, rest):
+    """Equilibrium of a tendon that is pulled at both ends: by forces alone it could lie anywhere in its duct,
+    so the node at rest is held as grout would do it, and the next one tried until friction alone can hold it;
+    returns (status, iterations, largest imbalance, node at rest)."""
+    motion = case.state.motion
+    spent = 0
+    for _ in range(motion.size):
+        motion[rest] = GROUTED
+        rewind(case.state, case.work)
+        status, _, iterations, error = equilibrate(case, target, 0.0, WAYS[0])
+        spent += iterations
+        case.work.spent[0] += iterations
+        if status != CONVERGED:
+            break
+        side = pushed(case, rest)
+        if side == 0:
+            error = max(error, imbalance(case, target, 0.0))
+            if error <= case.tolerance.statics:
+                return CONVERGED, spent, error, rest
+            break
+        if not 0 < rest - side < motion.size - 1:
+            break
+        motion[rest] = motion[rest + side]  # it slides as its neighbours do
+        rest -= side
+    status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
+    return status, spent + iterations, error, rest
+
+
+@kernel
+def pushed(case, j):
+    """The sense (1 to the right) in which a held node would slide; 0 if friction can hold it."""
+    work, contact = case.work, case.model.contact
+    capacity = contact.mu * abs(work.normal[j]) + work.rough[j] * 0.5 * (work.T[j - 1] + work.T[j])
+    if abs(work.shear[j]) <= capacity + SAME * case.tolerance.force:
+        return 0
+    return 1 if work.shear[j] > 0.0 else -1

@@ -55,6 +55,7 @@ def nearby(run, slip):
         u[2 + i : 5 * nodes : 5] += size * rng.standard_normal(nodes)
     u[5:-2:5] -= slip * np.linspace(1.2, 1.0, nodes - 1)  # stretching as well
     u[0] += 1.2 * slip
+    u[-2] -= slip
     return u
 
 
