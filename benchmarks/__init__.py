@@ -1,2 +1,1 @@
-"""What is measured rather than tested: speed, and whether the solver arrives on members that nobody tuned it
-for."""
+"""What is measured, not tested: speed, and whether the solver arrives on members nobody tuned it for."""

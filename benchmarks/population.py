@@ -78,9 +78,8 @@ def _section(rng: np.random.Generator, span: float, count: int, cantilever: bool
     kind = str(rng.choice(["beam", "slab"]))
     if cantilever and count == 1:
         slender *= 0.35
-    if kind == "slab" and span < 14e3:
-        h = float(np.clip(1.4 * span / slender / 1.4, 120.0, 500.0)) * rng.uniform(0.8, 1.0)
-        h = max(h, 120.0)
+    if kind == "slab" and span < (5e3 if cantilever and count == 1 else 14e3):
+        h = max(float(np.clip(span / slender, 120.0, 500.0)) * rng.uniform(0.8, 1.0), 120.0)
         return {"kind": "slab", "h": round(h, 0), "b": float(rng.choice([300.0, 1000.0, 1500.0]))}
     h = round(float(np.clip(span / slender, 200.0, 2500.0)), -1)
     shape = str(rng.choice(["rectangle", "tee", "i", "box"]))
@@ -136,7 +135,9 @@ def _path(rng: np.random.Generator, values: Values) -> Values:
     ends = {"pin": middle, "roller": middle, "free": middle, "fixed": high}
     profile = str(rng.choice(["straight", "parabola", "harped", "free"], p=[0.15, 0.5, 0.2, 0.15]))
     if profile == "straight":
-        if "free" in (left, right) or count > 1:
+        if "free" in (left, right) and count == 1:
+            depth = middle + (high - middle) * rng.uniform(0.3, 1.0)
+        elif "free" in (left, right) or count > 1:
             depth = middle * rng.uniform(0.8, 1.2)
         elif "fixed" in (left, right):
             depth = middle

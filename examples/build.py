@@ -11,7 +11,14 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from examples.paper import PUBLISHED_HEADERS, paper_members, profile_rows, published_rows
+from examples.paper import (
+    FIGURE_HEADERS,
+    PUBLISHED_HEADERS,
+    figure_rows,
+    paper_members,
+    profile_rows,
+    published_rows,
+)
 from examples.paper.members import Row, cooke_slabs, imaginary_beam, specimens, tao_and_du
 from ptbatch.workbook.column import System
 from ptbatch.workbook.columns import MEMBERS, NOTE
@@ -92,9 +99,11 @@ def build(root: Path = ROOT) -> list[Path]:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)
     write_workbook(example, [members(beams())])
-    profile = list(profile_rows())
-    write_workbook(paper, [members(paper_members()), sheet("profile", list(profile[0]), profile)])
-    write_workbook(published, [sheet("published", PUBLISHED_HEADERS, published_rows())])
+    points = list(profile_rows())
+    headers = list(dict.fromkeys(header for row in points for header in row))
+    write_workbook(paper, [members(paper_members()), sheet("profile", headers, points)])
+    known = sheet("published", PUBLISHED_HEADERS, published_rows())
+    write_workbook(published, [known, sheet("figures", FIGURE_HEADERS, figure_rows())])
     for path, system in zip(templates, TEMPLATES, strict=True):
         write_template(path, system)
     for path in paths:

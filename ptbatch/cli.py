@@ -85,7 +85,9 @@ def check(workbook: Path) -> int:
     show_default=True,
     help="Tolerance of numbers that come without one, as a share of them.",
 )
-@click.option("--markdown", type=click.Path(path_type=Path), metavar="FILE", help="Write a report as well.")
+@click.option(
+    "--markdown", type=click.Path(path_type=Path), metavar="FILE", help="Write a report and its figures."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print the lines to stdout as JSON.")
 def compare(
     results: Path, published: Path, output: Path | None, rtol: float, markdown: Path | None, as_json: bool
@@ -93,7 +95,8 @@ def compare(
     """Compare a results workbook with what is PUBLISHED: pass, fail, or not reproducible, because ...
 
     PUBLISHED is a table of expected numbers (sheet published, see the README) or the results workbook of
-    another run, of which every number and text in summary must be met.
+    another run, of which every number and text in summary must be met. The figures that it names in a sheet
+    figures are drawn into a folder of that name beside the report.
     """
     from ptbatch.compare.comparison import closing_table, compare_workbooks
     from ptbatch.compare.report import records

@@ -19,15 +19,19 @@ REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5
 
 
 @dataclass(frozen=True)
-class Service:
-    """The service stage as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain
-    (steps,) and the curve, row 0 the anchored state.
-    """
+class Recorded:
+    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain (steps,)."""
 
     model: Model
     u: Array
     T: Array
     strain: Array
+
+
+@dataclass(frozen=True)
+class Service(Recorded):
+    """The service stage with its curve, row 0 the anchored state."""
+
     curve: Curve
 
 
@@ -51,6 +55,22 @@ def find_events(service: Service) -> tuple[tuple[Event, ...], str]:
         events = [event for event in events if event.step <= first.step]
     events.append(_peak(curve, first))
     return tuple(sorted(events, key=lambda event: event.step)), "" if first is None else first.name
+
+
+def nearest_to_failure(recorded: Recorded) -> str:
+    """Which material had come nearest to its limit strain in the last step, how near, and where."""
+    limits = {CRUSHING: "crushing strain", BAR_RUPTURE: "rupture strain", TENDON_RUPTURE: "rupture strain"}
+    parts = {CRUSHING: "concrete", BAR_RUPTURE: "a bar", TENDON_RUPTURE: "the tendon"}
+    last = {
+        name: (float(measure[-1]), float(place[-1]))
+        for name, (measure, place) in _measures(recorded).items()
+        if name in limits
+    }
+    if not last:
+        return "all materials are elastic"
+    name = max(last, key=lambda name: last[name][0])
+    share, x = last[name]
+    return f"{parts[name]} at x = {x:.0f} mm was then at {share:.0%} of its {limits[name]}"
 
 
 def _peak(curve: Curve, failure: Event | None) -> Event:
@@ -80,7 +100,7 @@ def _crossing(measure: Array, limit: float) -> float | None:
     return i - 1 + float((limit - measure[i - 1]) / (measure[i] - measure[i - 1]))
 
 
-def _measures(service: Service) -> dict[str, tuple[Array, Array]]:
+def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
     """By event: (largest demand over limit, place of it) for each row."""
     model = service.model
     concrete, steel, strand = model.concrete, model.steel, model.strand

@@ -69,16 +69,23 @@ class Friction:
 
     def jacked(self, x: ArrayLike) -> Array:
         """The larger of the one-end curves of the live ends."""
-        return np.exp(-np.minimum.reduce([self.exponent(x, end) for end in self.live]))
+        return self._jacked(self.exponent(x, "left"))
 
-    def reversed(self, x: ArrayLike, end: End) -> tuple[Array, Array]:
-        """Growth and offset of the curve that reversed friction allows from an end."""
-        f = self.exponent(x, end)
+    def curves(self, x: ArrayLike, end: End) -> tuple[Array, Array, Array]:
+        """The jacked curve; growth and offset of the curve that reversed friction allows from an end."""
+        from_left = self.exponent(x, "left")
+        f, jacked = from_left if end == "left" else self.total - from_left, self._jacked(from_left)
         if self.reversal == "friction":
-            return np.exp(f), np.zeros_like(f)
+            return jacked, np.exp(f), np.zeros_like(f)
         # It climbs as the jacked curve falls, and with it where the other jack has stressed the tendon.
-        jacked, beyond = self.jacked(x), (f > self.total / 2.0) & (len(self.live) == 2)
-        return np.ones_like(f), np.where(beyond, jacked - 2.0 * np.exp(-self.total / 2.0), -jacked)
+        beyond = (f > self.total / 2.0) & (len(self.live) == 2)
+        return jacked, np.ones_like(f), np.where(beyond, jacked - 2.0 * np.exp(-self.total / 2.0), -jacked)
+
+    def _jacked(self, from_left: Array) -> Array:
+        least = {"left": from_left}
+        if "right" in self.live:
+            least["right"] = self.total - from_left
+        return np.exp(-np.minimum.reduce([least[end] for end in self.live]))
 
     @cached_property
     def stations(self) -> Array:
@@ -124,11 +131,11 @@ class Losses:
 
     def stress_anchored(self, x: ArrayLike) -> Array:
         """Stress at x after the wedge set [MPa], the shape of x."""
-        curves = [self.friction.jacked(x)]
+        least = []
         for end, level in self.level.items():
-            growth, offset = self.friction.reversed(x, end)
-            curves.append(level * growth + offset)
-        return self.fpj * np.minimum.reduce(curves)
+            jacked, growth, offset = self.friction.curves(x, end)
+            least += [jacked, level * growth + offset]
+        return self.fpj * np.minimum.reduce(least)
 
     @property
     def set_length(self) -> float:
@@ -139,8 +146,8 @@ class Losses:
 
     @property
     def set_zone(self) -> tuple[float, float]:
-        """Arc lengths [mm] up to which the set of the left end moves the tendon, and from which on that of
-        the right end does; beyond the tendon where that end is not live."""
+        """Arc lengths [mm] up to which the left end's set moves the tendon, and from which on that of the
+        right end does; beyond the tendon where that end is not live."""
         path, length = self.friction.path, self.friction.length
         left, right = (self.still.get(end) for end in ("left", "right"))
         return (
@@ -232,13 +239,13 @@ def _live_ends(jack: str) -> tuple[End, ...]:
 def _zone(friction: Friction, end: End, x: float, removed: float) -> tuple[float, float]:
     """(a, b) of b * level = a, the area condition of a reversed curve that runs from an end to x."""
     at, weights = friction.quadrature(*sorted((friction.ends[end], x)))
-    growth, offset = friction.reversed(at, end)
-    return float((friction.jacked(at) - offset) @ weights) - removed, float(growth @ weights)
+    jacked, growth, offset = friction.curves(at, end)
+    return float((jacked - offset) @ weights) - removed, float(growth @ weights)
 
 
 def _level(friction: Friction, end: End, x: float, removed: float) -> float:
     a, b = _zone(friction, end, x, removed)
-    growth, offset = friction.reversed(x, end)
+    _, growth, offset = friction.curves(x, end)
     return a / b if b > 0.0 else float((1.0 - offset) / growth)  # no set, no zone: fpj stays at the anchor
 
 
@@ -248,8 +255,8 @@ def _still_point(friction: Friction, end: End, removed: float) -> float:
 
     def excess(x: float) -> float:
         a, b = _zone(friction, end, x, removed)
-        growth, offset = friction.reversed(x, end)
-        return float(a * growth + b * (offset - friction.jacked(x)))  # times b, which is zero at the near end
+        jacked, growth, offset = friction.curves(x, end)
+        return float(a * growth + b * (offset - jacked))  # times b, which is zero at the near end
 
     if removed == 0.0:
         return near
@@ -261,7 +268,7 @@ def _meeting_point(friction: Friction, removed: float) -> float:
 
     def scaled(x: float, end: End) -> tuple[float, float]:
         a, b = _zone(friction, end, x, removed)
-        growth, offset = friction.reversed(x, end)
+        _, growth, offset = friction.curves(x, end)
         return float(a * growth + b * offset), b
 
     def excess(x: float) -> float:

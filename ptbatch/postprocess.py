@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ptbatch import stages
 from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
-from ptbatch.events import Service, find_events
+from ptbatch.events import Recorded, Service, find_events, nearest_to_failure
 from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
 from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Response, TendonState
@@ -26,7 +26,17 @@ STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCH
 def stopped(run: "Run", stage: int, message: str) -> Response:
     """Response of a member that found no equilibrium in a stage before the live load: the stages before it,
     and no capacity."""
-    return Response(**_common(run, stage), status="not converged", message=message)
+    return Response(**_common(run, stage), status="not converged", message=f"{message}{_why(run)}")
+
+
+def _why(run: "Run") -> str:
+    """What may have stopped a run, from its last step; empty before the first one."""
+    history = run.rig.case.history
+    last = slice(int(history.rows[0]) - 1, int(history.rows[0]))
+    if last.start < 0:
+        return ""
+    step = Recorded(run.rig.case.model, history.u[last], history.T[last], history.strain[last])
+    return f"; {nearest_to_failure(step)}"
 
 
 def finished(run: "Run", ended: int) -> Response:
@@ -41,13 +51,17 @@ def finished(run: "Run", ended: int) -> Response:
         last = curve.load[-1]
         if ended != NO_EQUILIBRIUM or last > 0.98 * curve.load.max():
             end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
-            message = f"live load: {stages.WHY[ended]} beyond {end}"
+            message = f"live load: {stages.WHY[ended]} beyond {end}{_why(run)}"
             common |= _states(run, rows, common["tendon"])
             return Response(**common, curve=curve, status="not converged", message=message)
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
     common |= _states(run, rows, common["tendon"], round(peak.step))
-    note = "" if complete else f"the curve ends at {curve.deflection[-1]:.4g} mm: {stages.WHY[ended]} beyond"
+    note = (
+        ""
+        if complete
+        else f"the curve ends at {curve.deflection[-1]:.4g} mm: {stages.WHY[ended]} any further"
+    )
     return Response(
         **common,
         curve=curve,
@@ -170,12 +184,12 @@ def _curve(run: "Run", rows: NDArray[np.int64], length: Array) -> Curve:
     factor, u, T = history.factor[rows], history.u[rows], history.T[rows]
     up = node_values(u, len(setup.mesh.x), 1)[:, setup.mesh.control]
     ends = history.anchor[rows] / Aps
-    moments = [section_moments(setup.mesh.x, u[i], history.f[row]) for i, row in enumerate(rows)]
+    moments = section_moments(setup.mesh.x, u, history.f[rows]).reshape(len(rows), -1)
     return Curve(
         factor,
         factor * setup.live_total,
         setup.mesh.sense * (up - up[0]),
-        np.array([moment.ravel()[np.argmax(np.abs(moment))] for moment in moments]),
+        moments[np.arange(len(rows)), np.abs(moments).argmax(axis=1)],
         np.minimum(T.min(axis=1) / Aps, ends.min(axis=1)),
         np.average(T, axis=1, weights=length) / Aps,
         np.maximum(T.max(axis=1) / Aps, ends.max(axis=1)),

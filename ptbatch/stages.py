@@ -21,9 +21,9 @@ NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
 LEFT, RIGHT = 0, 1
 LET_GO = 1.0 - 1e-6  # of the friction force: nodes about to turn round stick first, rather than slide on
 WHY = {
-    NO_EQUILIBRIUM: "no equilibrium found",
-    NO_BUDGET: "the allowed number of iterations did not lead",
-    NO_ROOM: "the allowed number of steps did not lead",
+    NO_EQUILIBRIUM: "no equilibrium was found",
+    NO_BUDGET: "the iterations allowed did not lead",
+    NO_ROOM: "the steps allowed did not lead",
 }
 
 

@@ -10,21 +10,19 @@ Array = NDArray[np.float64]
 
 
 def section_moments(x: Array, u: Array, forces: Array) -> Array:
-    """Bending moment (n, 2) in N mm at the Gauss sections, sagging positive, everything included.
+    """Bending moments (..., n, 2) in N mm at the Gauss sections, sagging positive, everything included.
 
-    x (n+1,) nodes; u (ndof,) displacements; forces (ndof,) the external nodal forces, reactions included.
+    x (n+1,) nodes; u (..., ndof) displacements; forces (..., ndof) the external nodal forces, reactions
+    included.
     """
     across, up, turn = (node_values(forces, len(x), i) for i in range(3))
     place_x, place_y = x + node_values(u, len(x), 0), node_values(u, len(x), 1)
-    moment = np.empty((len(x) - 1, 2))
-    for g, xi in enumerate(GAUSS):
-        at_x = place_x[:-1] + xi * np.diff(place_x)
-        at_y = place_y[:-1] + xi * np.diff(place_y)
-        left = np.tri(len(x) - 1, len(x), dtype=bool)
-        lever_x = np.where(left, at_x[:, None] - place_x, 0.0)
-        lever_y = np.where(left, at_y[:, None] - place_y, 0.0)
-        moment[:, g] = lever_x @ up - lever_y @ across - np.where(left, turn, 0.0).sum(axis=1)
-    return moment
+    about_origin = np.cumsum(place_x * up - place_y * across + turn, axis=-1)[..., :-1, None]
+    across_left, up_left = (np.cumsum(force, axis=-1)[..., :-1, None] for force in (across, up))
+    at_x, at_y = (
+        place[..., :-1, None] + np.diff(place)[..., None] * np.array(GAUSS) for place in (place_x, place_y)
+    )
+    return np.asarray(at_x * up_left - at_y * across_left - about_origin)
 
 
 def node_values(vector: Array, nodes: int, component: int) -> Array:

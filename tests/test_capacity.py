@@ -82,7 +82,7 @@ def test_a_member_that_cannot_carry_its_dead_load_has_no_capacity():
     response = analyse(Member(**BEAM | {"w_dead": 500}))
     row = summary_row(response.member, response)
     assert response.status == "not converged"
-    assert "sustained load: no equilibrium found beyond" in response.message
+    assert "sustained load: no equilibrium was found beyond" in response.message
     assert row["load_peak [kN]"] == row["failure"] == "not converged: see message"
     assert isinstance(row["stress_anchored_mean [MPa]"], float)
 

@@ -23,7 +23,7 @@ MEMBERS = {  # with how nearly the solver's tolerance, 1e-8 of the forces, lets 
     "polygon": (LOPSIDED | dict(sheathing="polygon"), 1e-8),
     "harped cantilever": (CANTILEVER, 1e-6),
     "two spans": (TWO_SPANS, 1e-8),
-    "two live ends": (LOPSIDED | BOTH, 1e-8),
+    "two live ends": (LOPSIDED | BOTH | dict(bond="bonded"), 1e-8),
     "two live ends, polygon": (LOPSIDED | BOTH | dict(sheathing="polygon"), 1e-8),
     "two live ends, frictionless": (LOPSIDED | BOTH | dict(mu=0, K=0), 1e-8),
     "two live ends, two spans": (TWO_SPANS | BOTH | dict(inflection=0.1, span=(7620, 7000)), 1e-8),

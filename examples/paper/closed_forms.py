@@ -28,8 +28,10 @@ def rigid_members_of_the_paper() -> list[Row]:
     beam, *_ = imaginary_beam()
     beams = [row for row in specimens() if row["set [in]"]]
     notes = ("The imaginary beam, made rigid.", "The specimen, made rigid; its profile is reconstructed.")
+    straight_pieces = {"sheathing": "polygon"}
     return [
         rigid(beam, "Imaginary beam, rigid", notes[0]),
+        rigid(beam | straight_pieces, "Imaginary beam, rigid, polygon", notes[0]),
         *(rigid(row, f"{row['member']}, rigid", notes[1]) for row in beams),
     ]
 

@@ -7,8 +7,8 @@ from examples.paper.members import Row
 
 HEADERS = (
     *("case", "member", "quantity", "stage", "x [mm]", "x [ft]", "deflection [mm]"),
-    *("as", "against", "against_quantity", "against_x [mm]", "bound", "value", "rtol [%]", "atol"),
-    *("class", "source", "not_reproducible", "figures", "note"),
+    *("as", "against", "against_quantity", "against_x [mm]", "share_of", "bound"),
+    *("value", "rtol [%]", "atol", "class", "source", "not_reproducible", "note"),
 )
 ARGUMENTS = {"how": "as", "x_ft": "x [ft]"}  # columns whose names are no names in Python
 MIRROR = "area between the curves = Ep set, the jacked curve mirrored (what the analytic column is)"

@@ -36,7 +36,8 @@ def imaginary_beam() -> list[Row]:
 
 
 def specimens() -> list[Row]:
-    """Two-span beams in US units, with both wedge sets (1.27 and 3.18 mm in the paper) and with none.
+    """Two-span beams in US units, with both wedge sets (1.27 and 3.18 mm in the paper) and with none; those
+    with a set also with wobble as waves.
 
     Profile: anchored at mid-depth, low points at midspan, strands 3.25 in from the faces. Least bars by ACI:
     0.004 of the area between face and centroid.
@@ -73,20 +74,28 @@ def specimens() -> list[Row]:
     )
     beams = {"Specimen 1": first, "Specimen 2": second}
     sets = {"no set": 0, "set 0.05 in": 0.05, "set 0.125 in": 0.125}
-    as_waves = {"set [in]": 0.125, "wobble": "sine", "note": f"{source} Wobble as waves, as in the paper."}
-    return [
-        *(
-            {"member": f"{name}, {told}", **beam, "set [in]": wedge_set, "note": source}
-            for (name, beam), (told, wedge_set) in product(beams.items(), sets.items())
-        ),
-        *({"member": f"{name}, wobble as waves", **beam, **as_waves} for name, beam in beams.items()),
+    direct = [
+        {"member": f"{name}, {told}", **beam, "set [in]": wedge_set, "note": source}
+        for (name, beam), (told, wedge_set) in product(beams.items(), sets.items())
     ]
+    wavy = {"wobble": "sine", "note": f"{source} Wobble as waves that turn evenly."}
+    waves = [row | wavy | {"member": f"{row['member']}, waves"} for row in direct if row["set [in]"]]
+    return direct + waves
 
 
-def specimen_2_with_and_without_friction() -> list[Row]:
-    """Specimen 2 as the paper loads it, to 76 mm at the middle of the span away from the jack."""
+def specimen_2_with_every_bond() -> list[Row]:
+    """Specimen 2 as the paper loads it, to 76 mm at the middle of the span away from the jack: partially
+    bonded, perfectly unbonded and grouted; unbonded also without the correction of the contact force."""
     beam = next(row for row in specimens() if row["member"] == "Specimen 2, set 0.05 in")
-    ways: dict[str, Row] = {"friction": {}, "no friction": {"mu [1/rad]": 0, "K [1/ft]": 0}}
+    none = {"mu [1/rad]": 0, "K [1/ft]": 0}
+    ways: dict[str, Row] = {
+        "friction": {},
+        "no friction": none,
+        "grouted": {"bond": "bonded"},
+        "no friction, uncorrected": none | {"correction": "no"},
+        "no friction, polygon": none | {"sheathing": "polygon"},
+        "no friction, polygon, uncorrected": none | {"sheathing": "polygon", "correction": "no"},
+    }
     return [beam | values | {"member": f"Specimen 2, {name}"} for name, values in ways.items()]
 
 

@@ -1,17 +1,19 @@
 """Two workbooks in, a third one out: results, what is published, and how they agree."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from ptbatch.batch import check_target
 from ptbatch.compare.entry import FAIL, PASS, Entry, Line
+from ptbatch.compare.figures import Figure
+from ptbatch.compare.gallery import Picture, draw_figures
 from ptbatch.compare.judge import judge
 from ptbatch.compare.markdown import write_markdown
 from ptbatch.compare.published import Published, read_published
 from ptbatch.compare.regression import compare_results
 from ptbatch.compare.report import counts, sheet, table
 from ptbatch.compare.results import Results, read_results
+from ptbatch.compare.table import Faulty
 from ptbatch.workbook.problems import Problem
 from ptbatch.workbook.write import write_workbook
 
@@ -62,26 +64,33 @@ def compare_workbooks(
             if target is not None:
                 check_target(target, source)
     known = read_published(published)
+    pictures: list[Picture] = []
     if known is None:
         ours, theirs = (read_results(path, others=()) for path in (results, published))
         lines = compare_results(ours, theirs, rtol)
     else:
-        lines = against_table(read_results(results), known, rtol)
+        ours = read_results(results)
+        lines = against_table(ours, known, rtol)
+        if markdown is not None:
+            sound = [row for row in known.figures if isinstance(row, Figure)]
+            pictures, lacking = draw_figures(sound, ours, markdown)
+            lines += lacking
     if markdown is not None:
-        write_markdown(markdown, lines, results, published)
+        write_markdown(markdown, lines, pictures, results, published)
     written = write_workbook(path, [sheet(lines)])
     return Comparison(lines, known.warnings if known else [], path, written, known is None)
 
 
 def against_table(results: Results, known: Published, rtol: float) -> list[Line]:
-    """The lines of a published table, in its order."""
-    return [judge(row, results, rtol) if isinstance(row, Entry) else _faulty(*row) for row in known.rows]
+    """The lines of a published table, in its order; a row that cannot be understood is a failure that says
+    why."""
+    lines = [judge(row, results, rtol) if isinstance(row, Entry) else _faulty(row) for row in known.rows]
+    return lines + [_faulty(row) for row in known.figures if isinstance(row, Faulty)]
 
 
-def _faulty(member: str, quantity: str, problems: Sequence[Problem]) -> Line:
-    """A row of the table that cannot be understood is a failure that says why."""
-    because = "; ".join(map(str, problems))
-    return Line(member, member, quantity, None, None, "", "", FAIL, because)
+def _faulty(row: Faulty) -> Line:
+    because = "; ".join(map(str, row.problems))
+    return Line(row.member, row.member, row.what, None, None, "", "", FAIL, because)
 
 
 def closing_table(comparison: Comparison) -> list[str]:

@@ -42,7 +42,8 @@ class Query(NamedTuple):
 
 @dataclass(frozen=True)
 class Entry:
-    """One row of a published table. rtol and atol are None where it gives none."""
+    """One row of a published table. rtol and atol are None where it gives none; base is what a difference is
+    told as a share of."""
 
     case: str
     of: Query
@@ -51,11 +52,11 @@ class Entry:
     kind: str = "frozen"
     how: str = "value"
     against: Query | None = None
+    base: Query | None = None
     bound: str = "equal"
     rtol: float | None = None
     atol: float | None = None
     not_reproducible: str = ""
-    figures: tuple[str, ...] = ()
     note: str = ""
 
     @property
@@ -64,7 +65,8 @@ class Entry:
         if self.against is None:
             return str(self.of)
         words = {"ratio": "/", "difference": "less"}
-        return f"{self.of} {words[self.how]} {_different(self.against, self.of)}"
+        share = f", as a share of {self.base.name}" if self.base else ""
+        return f"{self.of} {words[self.how]} {_different(self.against, self.of)}{share}"
 
 
 def _different(other: Query, of: Query) -> str:
@@ -92,7 +94,6 @@ class Line:
     kind: str = ""
     source: str = ""
     note: str = ""
-    figures: tuple[str, ...] = ()
 
     @property
     def ratio(self) -> float | None:

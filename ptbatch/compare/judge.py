@@ -47,25 +47,34 @@ def line(entry: Entry, ours: Value | None, unit: str, rtol: float, verdict: Verd
         kind=entry.kind,
         source=entry.source,
         note=entry.note,
-        figures=entry.figures,
     )
 
 
 def measured(entry: Entry, results: Results) -> tuple[Value, str]:
     """What the results say, and its unit: that of the entry or else theirs. Raises NoValueError."""
-    ours, unit = _in_unit(entry.of, entry.of.unit, results)
     if entry.against is None:
-        return ours, unit
-    other, _ = _in_unit(entry.against, unit, results)
-    for value, query in ((ours, entry.of), (other, entry.against)):
-        if isinstance(value, str):
-            raise NoValueError(f"{query.name} of {query.member} is no number but: {value}")
-    assert not isinstance(ours, str) and not isinstance(other, str)
-    if entry.how == "difference":
+        return _in_unit(entry.of, entry.of.unit, results)
+    ours, unit = _number(entry.of, entry.of.unit, results)
+    other, _ = _number(entry.against, unit, results)
+    if entry.how == "ratio":
+        return _ratio(ours, other, entry.against), ""
+    if entry.base is None:
         return ours - other, unit
-    if other == 0.0:
-        raise NoValueError(f"there is no ratio to {entry.against}, which is zero")
-    return ours / other, ""
+    base, _ = _number(entry.base, unit, results)
+    return 100.0 * _ratio(ours - other, base, entry.base), "%"
+
+
+def _number(query: Query, unit: str, results: Results) -> tuple[float, str]:
+    value, unit = _in_unit(query, unit, results)
+    if isinstance(value, str):
+        raise NoValueError(f"{query.name} of {query.member} is no number but: {value}")
+    return value, unit
+
+
+def _ratio(value: float, to: float, query: Query) -> float:
+    if to == 0.0:
+        raise NoValueError(f"there is no ratio to {query}, which is zero")
+    return value / to
 
 
 def _in_unit(query: Query, unit: str, results: Results) -> tuple[Value, str]:

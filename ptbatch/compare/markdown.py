@@ -1,10 +1,11 @@
-"""A comparison as a report in Markdown: case by case our number, theirs, the verdict and where it is from."""
+"""A comparison as a report in Markdown: case by case our number, theirs, the verdict and where it is from,
+and the figures."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ptbatch.compare.entry import FAIL, Line
-from ptbatch.compare.figures import image_links
+from ptbatch.compare.gallery import Picture
 from ptbatch.compare.report import counts, number
 from ptbatch.errors import WriteError
 
@@ -12,28 +13,37 @@ _HEAD = ("quantity", "ours", "theirs", "ratio", "tolerance", "verdict", "class")
 _RULE = ("---", "--:", "--:", "--:", "---", "---", "---")
 
 
-def write_markdown(path: Path, lines: Sequence[Line], results: Path, published: Path) -> None:
+def write_markdown(
+    path: Path, lines: Sequence[Line], pictures: Sequence[Picture], results: Path, published: Path
+) -> None:
     """Write the report; its numbers to seven digits, no date and no machine. Raises WriteError."""
     command = f"ptbatch compare {results.name} {published.name} --markdown {path.name}"
     try:
-        path.write_text("\n".join(_report(lines, path, command)) + "\n", encoding="utf-8")
+        path.write_text("\n".join(_report(lines, pictures, command)) + "\n", encoding="utf-8")
     except OSError as error:
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
 
 
-def _report(lines: Sequence[Line], path: Path, command: str) -> Iterator[str]:
+def _report(lines: Sequence[Line], pictures: Sequence[Picture], command: str) -> Iterator[str]:
     told = ", ".join(f"{count} {verdict}" for verdict, count in counts(lines).items())
     yield from ("# Verification", "")
     yield f"Written by `{command}`. {len(lines)} entries: {told}."
     yield "The ratio is ours over theirs; of two tolerances the larger counts."
-    for case in dict.fromkeys(line.case for line in lines):
-        yield from _case(case, [line for line in lines if line.case == case], path)
+    cases = [line.case for line in lines] + [picture.figure.case for picture in pictures]
+    for case in dict.fromkeys(cases):
+        yield from ("", f"## {_text(case)}")
+        yield from _table([line for line in lines if line.case == case])
+        for figure, file in pictures:
+            if figure.case == case:
+                yield from ("", f"![{_text(figure.name)}]({file})", "", f"*{_text(figure.caption)}*")
 
 
-def _case(case: str, lines: Sequence[Line], path: Path) -> Iterator[str]:
-    """Heading, table, remarks by row, figures."""
+def _table(lines: Sequence[Line]) -> Iterator[str]:
+    """Table, then remarks by row."""
+    if not lines:
+        return
     several = len({line.member for line in lines}) > 1
-    yield from ("", f"## {_text(case)}", "")
+    yield ""
     yield _row(("row", *(["member"] if several else []), *_HEAD))
     yield _row(("--:", *(["---"] if several else []), *_RULE), plain=True)
     for i, line in enumerate(lines, 1):
@@ -43,9 +53,6 @@ def _case(case: str, lines: Sequence[Line], path: Path) -> Iterator[str]:
     yield from _remarks("", reasons)
     yield from _remarks("", [line.note for line in lines])
     yield from _remarks("from ", [line.source for line in lines])
-    figures = dict.fromkeys(name for line in lines for name in line.figures)
-    for link in image_links(figures, path):
-        yield from ("", link)
 
 
 def _cells(line: Line) -> tuple[str, ...]:

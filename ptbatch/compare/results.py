@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ptbatch.compare.cracks import MEASURES, measure
 from ptbatch.compare.entry import Query, Value
 from ptbatch.errors import ReadError
 from ptbatch.validation import likely
@@ -15,7 +16,12 @@ from ptbatch.workbook.read import LAST_ROW, RawSheet, read_sheets
 from ptbatch.workbook.table import find_header
 from ptbatch.workbook.units import Header, parse_header
 
-KEYS = {"summary": ("member",), "tendon": ("stage", "x"), "curves": ("deflection",)}  # to find a value by
+KEYS = {  # to find a value by
+    "summary": ("member",),
+    "tendon": ("stage", "x"),
+    "curves": ("deflection",),
+    "cracks": ("stage", "x", "crack_from", "crack_to"),
+}
 
 Row = dict[str, Any]
 
@@ -53,7 +59,8 @@ class Results:
         return self.sheets["summary"]
 
     def look_up(self, query: Query) -> Reading:
-        """Value of a quantity of `summary`, `tendon` or `curves`. Raises NoValueError."""
+        """Value of a quantity of `summary`, `tendon` or `curves`, or of a measure of the cracks. Raises
+        NoValueError."""
         if query.member not in self.summary.rows:
             cure = likely(query.member, self.summary.rows)
             raise NoValueError(f"the results have no member {query.member}; {cure}")
@@ -66,7 +73,7 @@ class Results:
         raise NoValueError(f"the results have no quantity {query.name}; {likely(query.name, known)}")
 
 
-def read_results(path: Path, others: Iterable[str] = ("tendon", "curves")) -> Results:
+def read_results(path: Path, others: Iterable[str] = ("tendon", "curves", "cracks")) -> Results:
     """Read `summary` and other sheets of a results workbook. Raises ReadError."""
     raw = read_sheets(path, "summary", others, most_rows=LAST_ROW)
     summary = raw["summary"]
@@ -79,6 +86,9 @@ def read_results(path: Path, others: Iterable[str] = ("tendon", "curves")) -> Re
                 raise ReadError(
                     f"{path}: sheet {name} has no column {key}; compare results as they were written"
                 )
+    if "cracks" in sheets:
+        headers = {name: Header(name, made.unit) for name, made in MEASURES.items()}
+        sheets["cracks"] = ResultSheet(headers, sheets["cracks"].rows)
     return Results(path, sheets)
 
 
@@ -145,8 +155,20 @@ def _of_curves(rows: list[Row], name: str, query: Query) -> float:
     raise NoValueError(f"the curve goes to {furthest:.6g} mm, not to {query.deflection:.6g} mm")
 
 
+def _of_cracks(rows: list[Row], name: str, query: Query) -> float:
+    """Made of all cracks of a stage."""
+    if query.stage is None:
+        raise NoValueError(f"{query.name} needs stage")
+    rows = [row for row in rows if row["stage"] == query.stage]
+    if not rows:
+        raise NoValueError(f"the sheet cracks has no cracks of {query.member} at the stage {query.stage}")
+    x, top, bottom = np.array([[row[key] for key in KEYS["cracks"][1:]] for row in rows]).T
+    return measure(name, x, top, bottom)
+
+
 _LOOK_UP: dict[str, Callable[[list[Row], str, Query], Value]] = {
     "summary": _of_summary,
     "tendon": _of_tendon,
     "curves": _of_curves,
+    "cracks": _of_cracks,
 }

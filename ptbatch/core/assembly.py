@@ -13,6 +13,7 @@ from ptbatch.core.contact import (
     project,
     segment,
 )
+from ptbatch.core.contact_tangent import contact_tangent
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
@@ -190,6 +191,8 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
         for i in range(6):
             work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
         beam_forces(e, model, state, work.q6, work.f6)
+        for i in range(3):
+            work.left_end[e, i] = work.f6[i]
         for i in range(6):
             work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
     for e in range(1, n):
@@ -201,6 +204,7 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
     for j in range(1, n + 1):
         gather_contact(j, model, u, work)
         seg = segment(work.segment[j], model)
+        held = bonded or work.motion[j] == GROUTED
         work.xi[j] = project(work.q12, work.xi[j], seg)
         work.normal[j], work.shear[j], work.s[j], _ = contact_forces(
             work.q12,
@@ -214,7 +218,7 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
-            GROUTED if bonded else as_it_moves(work.motion[j]) if frozen else UNKNOWN,
+            GROUTED if held else as_it_moves(work.motion[j]) if frozen else UNKNOWN,
             seg,
             model.contact,
             work.f8,
@@ -238,6 +242,16 @@ def add_contact_forces(j, work):
 @kernel
 def add_to(matrix, row, column, value):
     matrix[row, column - row + (matrix.shape[1] - 1) // 2] += value
+
+
+@kernel
+def add_block(matrix, row, column, k, i, j, rows, columns):
+    """Add the part of an element's tangent k that starts at (i, j) to the matrix from (row, column) on."""
+    half = (matrix.shape[1] - 1) // 2
+    for r in range(rows):
+        at = column - row - r + half
+        for c in range(columns):
+            matrix[row + r, at + c] += k[i + r, j + c]
 
 
 @kernel
@@ -270,10 +284,10 @@ def add_beam(e, model, state, u, damping, work):
         work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
     beam_tangent(e, model, state, work.q6, damping, work.f6, work.k6)
     for i in range(6):
-        row = (beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i
-        work.f[row] += work.f6[i]
-        for j in range(6):
-            add_to(work.matrix, row, (beam_dof(e) if j < 3 else beam_dof(e + 1) - 3) + j, work.k6[i, j])
+        work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
+    for i in range(2):
+        for j in range(2):
+            add_block(work.matrix, beam_dof(e + i), beam_dof(e + j), work.k6, 3 * i, 3 * j, 3, 3)
 
 
 @kernel
@@ -296,72 +310,55 @@ def add_truss(e, work):
 
 @kernel
 def add_contact(j, model, state, u, bonded, work):
-    """Force and tangent of one contact element: a column for each dof by the complex step.
-
-    A common translation makes no force, so the columns of master 2's u and v are minus the sum of the others
-    of their direction.
-    """
+    """Force and tangent of one contact element."""
     gather_contact(j, model, u, work)
     seg = segment(work.segment[j], model)
-    z = work.z12
-    for i in range(12):
-        z[i] = work.q12[i]
-    for column in range(12):
-        if column == 5 or column == 6:
-            continue
-        z[column] = complex(work.q12[column], STEP)
-        N, Tt, s, motion = contact_forces(
-            z,
-            work.xi[j],
-            work.T[j - 1],
-            work.T[j],
-            work.slope[j - 1],
-            work.slope[j],
-            work.length[j - 1],
-            work.length[j],
-            state.s[j],
-            state.rub[j],
-            work.rough[j],
-            work.motion[j],
-            seg,
-            model.contact,
-            work.w8,
-        )
-        z[column] = work.q12[column]
-        for i in range(8):
-            work.k8[i, column] = work.w8[i].imag / STEP
-    for i in range(8):
-        work.f8[i] = work.w8[i].real
-        work.k8[i, 5] = -(work.k8[i, 0] + work.k8[i, 2] + work.k8[i, 8] + work.k8[i, 10])
-        work.k8[i, 6] = -(work.k8[i, 1] + work.k8[i, 3] + work.k8[i, 9] + work.k8[i, 11])
-    work.normal[j] = N.real
-    work.shear[j] = Tt.real
-    work.s[j] = s.real
+    N, Tt, s, motion = contact_tangent(
+        work.q12,
+        work.xi[j],
+        (work.T[j - 1], work.T[j]),
+        (work.slope[j - 1], work.slope[j]),
+        state.s[j],
+        state.rub[j],
+        work.rough[j],
+        work.motion[j],
+        seg,
+        model.contact,
+        work.d7,
+        work.f8,
+        work.k8,
+    )
+    work.normal[j] = N
+    work.shear[j] = Tt
+    work.s[j] = s
     work.motion[j] = motion
     if motion == HELD:
         work.held_back[0] += 1
     add_contact_forces(j, work)
-    a = tendon_dof(j)
-    m1 = beam_dof(work.segment[j])
-    m2 = beam_dof(work.segment[j] + 1)
-    for i in range(8):
-        row = a + i if i < 2 else (m1 + i - 2 if i < 5 else m2 + i - 5)
-        for column in range(8):
-            at = a + column if column < 2 else (m1 + column - 2 if column < 5 else m2 + column - 5)
-            add_to(work.matrix, row, at, work.k8[i, column])
-        add_neighbour(row, j - 1, work.k8[i, 8], work.k8[i, 9], model, u, work)
-        add_neighbour(row, j + 1, work.k8[i, 10], work.k8[i, 11], model, u, work)
+    n = model.x.size - 1
+    parts = (  # where the element's degrees of freedom are: in it, in the member, how many
+        (0, tendon_dof(j), 2),
+        (2, beam_dof(work.segment[j]), 3),
+        (5, beam_dof(work.segment[j] + 1), 3),
+    )
+    for i, row, rows in parts:
+        for c, column, columns in parts:
+            add_block(work.matrix, row, column, work.k8, i, c, rows, columns)
+        for side in range(2):
+            neighbour = j - 1 + 2 * side
+            if 0 < neighbour <= n:
+                add_block(work.matrix, row, tendon_dof(neighbour), work.k8, i, 8 + 2 * side, rows, 2)
+                continue
+            for r in range(rows):
+                kx, ky = work.k8[i + r, 8 + 2 * side], work.k8[i + r, 9 + 2 * side]
+                add_end_neighbour(row + r, neighbour, kx, ky, model, u, work)
 
 
 @kernel
-def add_neighbour(row, j, kx, ky, model, u, work):
-    """A row's derivative by the position of tendon node j; that of an end node is carried by its gap and its
-    beam node."""
+def add_end_neighbour(row, j, kx, ky, model, u, work):
+    """A row's derivative by the position of an end node of the tendon, which its gap and its beam node
+    carry."""
     n = model.x.size - 1
-    if 0 < j <= n:
-        add_to(work.matrix, row, tendon_dof(j), kx)
-        add_to(work.matrix, row, tendon_dof(j) + 1, ky)
-        return
     side = 0 if j == 0 else 1
     gather_end(side, model, u, work)
     x, y, ox, oy = end_position(work.q6, anchor(side, model))

@@ -15,13 +15,19 @@ GAUSS = 0.5 - 0.5 / np.sqrt(3.0), 0.5 + 0.5 / np.sqrt(3.0)
 
 
 @kernel
+def fibre(past, i):
+    """History of one fibre, out of its array: a view of it would cost more than the law."""
+    return past[i, 0], past[i, 1], past[i, 2], past[i, 3], past[i, 4]
+
+
+@kernel
 def section_forces(eps0, kappa, model, past, plastic, bar_area):
     """(N, M) of one section."""
     N = 0.0
     M = 0.0
     for i in range(model.layer_y.size):
         y = model.layer_y[i]
-        force = model.layer_area[i] * concrete_stress(eps0 - y * kappa, past[i], model.concrete)
+        force = model.layer_area[i] * concrete_stress(eps0 - y * kappa, fibre(past, i), model.concrete)
         N += force
         M -= y * force
     for i in range(model.bar_y.size):
@@ -47,7 +53,7 @@ def section_tangent(eps0, kappa, model, past, plastic, bar_area, damping):
     EI = 0.0
     for i in range(model.layer_y.size):
         y = model.layer_y[i]
-        stress = concrete_stress(complex(eps0 - y * kappa, STEP), past[i], model.concrete)
+        stress = concrete_stress(complex(eps0 - y * kappa, STEP), fibre(past, i), model.concrete)
         force = model.layer_area[i] * stress.real
         stiffness = model.layer_area[i] * (stress.imag / STEP + damping * model.concrete.E0)
         N += force
@@ -171,8 +177,11 @@ def commit_beam(e, model, state, d):
     elongation, _, _, _, turn1, turn2 = chord(length, d)
     for g in range(2):
         eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
+        past = state.concrete[e, g]
         for i in range(model.layer_y.size):
-            commit_concrete(eps0 - model.layer_y[i] * kappa, state.concrete[e, g, i], model.concrete)
+            eps = eps0 - model.layer_y[i] * kappa
+            if eps + past[i, 4] > past[i, 0] or -eps > past[i, 2]:
+                commit_concrete(eps, past[i], model.concrete)
         for i in range(model.bar_y.size):
             eps = eps0 - model.bar_y[i] * kappa
             state.bar[e, g, i] = commit_steel(eps, state.bar[e, g, i], model.bar_fy[i], model.steel)

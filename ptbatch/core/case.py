@@ -46,11 +46,25 @@ def open_case(model, state, ends, work, history, tolerance):
 
 
 class Target(NamedTuple):
-    """External forces `fixed + factor * pattern`; with `dof` >= 0 the factor is free and that displacement is
-    to reach `value`. The tendon sticks to its duct where it is bonded."""
+    """External forces `fixed + factor * pattern`, of which the factor is free if something is driven: then
+    the displacement `dof`, less the one at `other` if that is not negative, is to reach `value`. The tendon
+    sticks to its duct where it is bonded."""
 
     fixed: object  # (ndof,)
     pattern: object  # (ndof,)
-    dof: int
-    value: float
     bonded: bool
+    dof: int
+    other: int
+    value: float
+
+
+@kernel
+def still(load, bonded):
+    """The target of a given load."""
+    return Target(load, load, bonded, -1, -1, 0.0)  # under a factor of zero
+
+
+@kernel
+def driven(u, dof, other):
+    """What is driven, taken from a vector of displacements."""
+    return u[dof] - u[other] if other >= 0 else u[dof]

@@ -10,7 +10,7 @@ is taken no later), and the curve that follows is for information.
 
 from typing import NamedTuple
 
-from ptbatch.core.jit import kernel, power
+from ptbatch.core.jit import inverse, kernel, power
 
 HOGNESTAD, PARABOLA_RECTANGLE, POPOVICS, ELASTIC = range(4)
 NO_TENSION, SOFTENING, STIFFENING = range(3)
@@ -43,11 +43,11 @@ def compression(x, c):
         return c.Ec * x
     if x.real > c.crushing_strain:
         x = c.crushing_strain + 0.0 * x
-    ratio = x / c.eps_c
+    ratio = x * (1.0 / c.eps_c)
     if c.law == HOGNESTAD:
         if ratio.real <= 1.0:
             return c.fc * ratio * (2.0 - ratio)
-        return c.fc * (1.0 - 0.15 * (x - c.eps_c) / (c.crushing_strain - c.eps_c))
+        return c.fc * (1.0 - (x - c.eps_c) * (0.15 / (c.crushing_strain - c.eps_c)))
     if c.law == PARABOLA_RECTANGLE:
         if ratio.real >= 1.0:
             return c.fc + 0.0 * x
@@ -56,7 +56,7 @@ def compression(x, c):
         return c.fc * (1.0 - power(1.0 - ratio, c.exponent))
     if ratio.real == 0.0:
         return c.fc * c.exponent / (c.exponent - 1.0) * ratio
-    return c.fc * c.exponent * ratio / (c.exponent - 1.0 + power(ratio, c.exponent))
+    return c.fc * c.exponent * ratio * inverse(c.exponent - 1.0 + power(ratio, c.exponent))
 
 
 @kernel
@@ -75,20 +75,20 @@ def tension(x, c):
     if x.real <= c.eps_cr:
         return c.ft / c.eps_cr * x
     if c.tension_law == SOFTENING:
-        return c.ft * (c.eps_end - x) / (c.eps_end - c.eps_cr)
+        return (c.eps_end - x) * (c.ft / (c.eps_end - c.eps_cr))
     knee = c.eps_cr + (c.eps_end - c.eps_cr) / 36.0
     middle = c.eps_cr + (c.eps_end - c.eps_cr) / 3.0
     if x.real <= knee:
-        return c.ft * (1.0 - 0.23 * (x - c.eps_cr) / (knee - c.eps_cr))
+        return c.ft * (1.0 - (x - c.eps_cr) * (0.23 / (knee - c.eps_cr)))
     if x.real <= middle:
-        return c.ft * (0.77 - 0.32 * (x - knee) / (middle - knee))
-    return c.ft * 0.45 * (c.eps_end - x) / (c.eps_end - middle)
+        return c.ft * (0.77 - (x - knee) * (0.32 / (middle - knee)))
+    return (c.eps_end - x) * (0.45 * c.ft / (c.eps_end - middle))
 
 
 @kernel
 def concrete_stress(eps, past, c):
-    """Stress of a fibre. past (5,), strains as magnitudes: worst tension, its secant, worst compression, its
-    unloading modulus and residual strain.
+    """Stress of a fibre. past, five strains and moduli as magnitudes: worst tension, its secant, worst
+    compression, its unloading modulus and residual strain.
     """
     opening = eps + past[4]
     if opening.real > 0.0:  # at rest a fibre shows its compressive modulus, also where tension has none

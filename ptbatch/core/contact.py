@@ -16,7 +16,7 @@ friction force about the sheathing is passed on to the masters.
 from typing import NamedTuple
 
 from ptbatch.core.embedding import arm, turned
-from ptbatch.core.jit import kernel, root
+from ptbatch.core.jit import inverse, kernel, root
 
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 # Motion of a tendon node along its duct in an iteration
@@ -83,9 +83,8 @@ def dot4(w, p):
 
 
 @kernel
-def projection_step(q, xi, seg):
-    """One Newton step of eq. (2): the root of (x_s - p(xi)) . p'(xi)."""
-    px, py = masters(q, seg)
+def projection_step(q, px, py, xi, seg):
+    """One Newton step of eq. (2): the root of (x_s - p(xi)) . p'(xi). px, py: see `masters`."""
     w, w1, w2 = shape(xi, seg.smooth)
     rx = q[0] - dot4(w, px)
     ry = q[1] - dot4(w, py)
@@ -99,8 +98,9 @@ def projection_step(q, xi, seg):
 def project(q, xi, seg):
     """xi of the slave's projection, from a first guess; it may lie outside 0..1, which the contact search
     then mends."""
+    px, py = masters(q, seg)
     for _ in range(20):
-        new = projection_step(q, xi, seg)
+        new = projection_step(q, px, py, xi, seg)
         if abs(new - xi) < 1e-14:
             return new
         xi = new
@@ -144,54 +144,67 @@ def as_it_moves(motion):
 
 
 @kernel
+def chords(a, b):
+    """Unit vectors of the two chords that meet at a tendon node and of their bisector t', across n' of eqs
+    (16)-(17): (e3, e4, t')."""
+    la = inverse(root(a[0] * a[0] + a[1] * a[1]))
+    lb = inverse(root(b[0] * b[0] + b[1] * b[1]))
+    ex, ey, gx, gy = a[0] * la, a[1] * la, b[0] * lb, b[1] * lb
+    ux, uy = ex + gx, ey + gy
+    scale = inverse(root(ux * ux + uy * uy))
+    return (ex, ey), (gx, gy), (ux * scale, uy * scale)
+
+
+@kernel
+def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
+    """Force of the tendon node on its duct: (fx, fy, N, T_t, motion).
+
+    e3, e4, u: see `chords`. t: unit tangent of the duct; gap: across it, eq. (1). slip: along it since the
+    last step. T3, T4: tensions left and right.
+    """
+    P = c.normal * gap  # eq. (22), both signs: the duct holds the tendon on both sides
+    if c.corrected:  # along the bisector: eqs (18)-(20) without their singular cases
+        ux, uy = u[0] + 0.0 * gap, u[1] + 0.0 * gap
+        N = P * inverse(ux * t[0] + uy * t[1])
+    else:
+        ux, uy = t[0] + 0.0 * u[0], t[1] + 0.0 * u[0]
+        N = P + 0.0 * ux
+    # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing,
+    # and its sign with it; what the tendon's own kink presses does not.
+    into3 = e3[0] * uy - e3[1] * ux
+    into4 = e4[1] * ux - e4[0] * uy
+    press = T3 * into3 + T4 * into4
+    # by the kink, so that a slack tendon knows as well which way it is going to press
+    press = press if (into3 + into4).real >= 0.0 else -press
+    Tt, motion = friction(slip + 0.0 * ux, rub, press, 0.5 * (T3 + T4), rough, was, c)
+    return Tt * ux - N * uy, Tt * uy + N * ux, N, Tt, motion
+
+
+@kernel
 def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, was, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s, motion).
 
     xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are
     the tensions of the tendon elements on the two sides with their slopes by length, which carries theirs.
     """
-    xi_c = projection_step(q, xi, seg)
     px, py = masters(q, seg)
+    xi_c = projection_step(q, px, py, xi, seg)
     w, w1, _ = shape(xi_c, seg.smooth)
     rx = q[0] - dot4(w, px)
     ry = q[1] - dot4(w, py)
     tx = dot4(w1, px)
     ty = dot4(w1, py)
-    norm = root(tx * tx + ty * ty)
-    tx = tx / norm
-    ty = ty / norm
-    P = c.normal * (ry * tx - rx * ty)  # eq. (22), both signs: the duct holds the tendon on both sides
-
-    ax = q[0] - q[8]
-    ay = q[1] - q[9]
-    bx = q[10] - q[0]
-    by = q[11] - q[1]
-    la = root(ax * ax + ay * ay)
-    lb = root(bx * bx + by * by)
-    T3 = T3 + slope3 * (la - length3)
-    T4 = T4 + slope4 * (lb - length4)
-    if c.corrected:  # t' across the bisector: eqs (16)-(20) without their singular cases
-        ux = ax / la + bx / lb
-        uy = ay / la + by / lb
-        norm = root(ux * ux + uy * uy)
-        ux = ux / norm
-        uy = uy / norm
-        N = P / (ux * tx + uy * ty)
-    else:
-        ux = tx
-        uy = ty
-        N = P
+    scale = inverse(root(tx * tx + ty * ty))
+    tx = tx * scale
+    ty = ty * scale
+    a = (q[0] - q[8], q[1] - q[9])
+    b = (q[10] - q[0], q[11] - q[1])
+    T3 = T3 + slope3 * (root(a[0] * a[0] + a[1] * a[1]) - length3)
+    T4 = T4 + slope4 * (root(b[0] * b[0] + b[1] * b[1]) - length4)
     s = seg.s + xi_c * seg.ds
-    # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing,
-    # and its sign with it; what the tendon's own kink presses does not.
-    into3 = (ax * uy - ay * ux) / la
-    into4 = (by * ux - bx * uy) / lb
-    press = T3 * into3 + T4 * into4
-    # by the kink, so that a slack tendon knows as well which way it is going to press
-    press = press if (into3 + into4).real >= 0.0 else -press
-    Tt, motion = friction(s - s0, rub, press, 0.5 * (T3 + T4), rough, was, c)
-    fx = Tt * ux - N * uy
-    fy = Tt * uy + N * ux
+    gap = ry * tx - rx * ty
+    e3, e4, u = chords(a, b)
+    fx, fy, N, Tt, motion = node_force(e3, e4, u, gap, (tx, ty), s - s0, T3, T4, rub, rough, was, c)
     f[0] = fx
     f[1] = fy
     f[2] = -fx * w[0]

@@ -11,9 +11,7 @@ import numpy as np
 
 from ptbatch.core.anchorage import anchor, end_forces
 from ptbatch.core.assembly import gather_contact, gather_end, internal_forces
-from ptbatch.core.beam import beam_forces
 from ptbatch.core.contact import GROUTED, UNKNOWN, contact_forces, segment
-from ptbatch.core.history import element_displacements
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import beam_dof, tendon_dof
 
@@ -22,6 +20,12 @@ from ptbatch.core.model import beam_dof, tendon_dof
 def imbalance(case, target, factor):
     """Largest relative imbalance of the trial."""
     internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, False, case.work)
+    return imbalance_as_evaluated(case, target, factor)
+
+
+@kernel
+def imbalance_as_evaluated(case, target, factor):
+    """The same where `internal_forces` has just been evaluated at the trial."""
     on_beam(case, target, factor)
     worst = max(along_beam(case), along_tendon(case, target.bonded))
     return worst if np.isfinite(worst) else np.inf
@@ -114,11 +118,8 @@ def along_beam(case):
         across += work.on_beam[k, 0]
         up += work.on_beam[k, 1]
         turn += work.on_beam[k, 2]
-        work.f6[:] = 0.0
-        if k < n:
-            element_displacements(k, work.trial, work.q6)
-            beam_forces(k, model, case.state, work.q6, work.f6)
-        out = max(abs(across - work.f6[0]), abs(up - work.f6[1]), abs(turn - work.f6[2]) / depth)
+        end = work.left_end[k]  # zero beyond the last element
+        out = max(abs(across - end[0]), abs(up - end[1]), abs(turn - end[2]) / depth)
         worst = max(worst, out)
     return worst / case.tolerance.force
 

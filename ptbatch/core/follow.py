@@ -1,11 +1,18 @@
-"""Stage 4: the live pattern under displacement control, to the deflection limit or the rupture of the
-tendon."""
+"""Stage 4: the live pattern is followed to the deflection limit or the rupture of the tendon.
+
+The deflection of the control point drives the load. Where a section that cracks or crushes turns the path
+back (the member springs up as one hinge opens), no further deflection may have an equilibrium near by: then
+the rotation of that hinge drives the load until the deflection grows again.
+"""
 
 from typing import NamedTuple
 
-from ptbatch.core.case import Target
+import numpy as np
+
+from ptbatch.core.case import Target, driven
 from ptbatch.core.failure import utilisation
 from ptbatch.core.jit import kernel
+from ptbatch.core.model import beam_dof
 from ptbatch.core.newton import CONVERGED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM
 from ptbatch.core.step import accept, find_equilibrium
@@ -14,11 +21,14 @@ OVERSHOOT = 1.005  # of a limit strain: how near a step must land on it
 EASY, HARD = 6, 12  # iterations of a step after which the next one may be longer, should be shorter
 AFTER_FAILURE = 3000  # iterations that the curve beyond the first failure may take: it lends no capacity
 SHORTER = 5  # step lengths that are tried, each a quarter of the one before
+LONGER = 3  # and after these, for what drives the load cannot turn back but jump: each twice the one before
+HINGE_STEPS = 80  # that a hinge may drive the load before the member is given up,
+LOST = 0.1  # of the largest load so far: and the load below which it is
 
 
 class Control(NamedTuple):
-    """Displacement control: the degree of freedom, its value in the anchored state, the sense it is driven
-    in, how far, and in what steps [mm]."""
+    """The control point: its degree of freedom, its value in the anchored state, the sense it is driven in,
+    how far, and in what steps [mm]."""
 
     dof: int
     start: float
@@ -28,11 +38,28 @@ class Control(NamedTuple):
     largest: float
 
 
+class Load(NamedTuple):
+    """Forces (ndof,) that stay and forces that are scaled, and whether the tendon is grouted."""
+
+    fixed: object
+    pattern: object
+    bonded: bool
+
+
+class Drive(NamedTuple):
+    """What drives the load, see `Target`, and in which sense."""
+
+    dof: int
+    other: int
+    sense: float
+
+
 class Trial(NamedTuple):
-    """A step that was tried: whether it found equilibrium, at which load factor, and the largest limit
-    strain's utilisation there."""
+    """A step that was tried: its length, whether it started ahead (see `reach`) and found equilibrium, at
+    which load factor, and the largest limit strain's utilisation there."""
 
     step: float
+    ahead: bool
     converged: bool
     factor: float
     iterations: int
@@ -41,82 +68,167 @@ class Trial(NamedTuple):
     tendon_broke: bool
 
 
+class Way(NamedTuple):
+    """How far the load has come: its factor and the largest so far, the length of the last step (zero after a
+    change of what drives), the utilisation of limit strains, whether a material has failed, and the
+    iterations allowed."""
+
+    factor: float
+    most: float
+    taken: float
+    used: float
+    failed: bool
+    allowed: int
+
+
 @kernel
 def follow(case, stage, fixed, pattern, control, bonded):
     """Load to failure; how it ended. Steps land on the first limit strain of a material."""
-    state, history = case.state, case.history
-    factor, step, taken = 0.0, control.first, 0.0
-    concrete, bars, tendon = utilisation(case, state.u)
+    load = Load(fixed, pattern, bonded)
+    deflect = Drive(control.dof, -1, control.sense)
+    concrete, bars, tendon = utilisation(case, case.state.u)
     used = max(concrete, bars, tendon)
-    failed = used >= 1.0
-    allowed = case.tolerance.budget
-    while history.rows[0] < history.stage.size:
-        left = control.limit - control.sense * (state.u[control.dof] - control.start)
+    way = Way(0.0, 0.0, 0.0, used, used >= 1.0, case.tolerance.budget)
+    step = control.first
+    while case.history.rows[0] < case.history.stage.size:
+        left = control.limit - deflection(case, control)
         if left <= 1e-9 * control.limit:
             return DONE
-        if case.work.spent[0] >= allowed:
+        if case.work.spent[0] >= way.allowed:
             return NO_BUDGET
-        trial = approach(case, fixed, pattern, control, bonded, factor, min(step, left), left, taken)
+        trial = approach(case, load, deflect, min(step, left), way)
+        if not trial.converged:
+            trial = jump(case, load, deflect, step, control, left, way)
+        if trial.converged:
+            trial, way = take(case, stage, load, deflect, trial, way)
+            step = min(control.largest, max(control.first, next_step(trial)))
+        else:
+            trial, way = turn_hinge(case, stage, load, control, way)
+            step = control.first
         if not trial.converged:
             return NO_EQUILIBRIUM
-        if not failed and trial.demand > OVERSHOOT:
-            trial = land(case, fixed, pattern, control, bonded, factor, trial, used)
-        accept(case, stage, trial.factor, trial.iterations, trial.error)
-        factor, used, taken = trial.factor, trial.demand, trial.step
-        if not failed and used >= 1.0:
-            failed = True
-            allowed = min(allowed, case.work.spent[0] + AFTER_FAILURE)
         if trial.tendon_broke:
             return DONE
-        growth = 1.5 if trial.iterations <= EASY else 1.1 if trial.iterations <= HARD else 0.7
-        step = min(control.largest, max(control.first, trial.step * growth))
     return NO_ROOM
 
 
 @kernel
-def reach(case, fixed, pattern, control, bonded, factor, step, taken):
-    """Try a further `step` of deflection from the committed state; taken: the last one, to look ahead by."""
-    value = case.state.u[control.dof] + control.sense * step
-    ahead = step / taken if taken > 0.0 else 0.0
-    target = Target(fixed, pattern, control.dof, value, bonded)
-    status, reached, iterations, error = find_equilibrium(case, target, factor, ahead)
-    concrete, bars, tendon = utilisation(case, case.work.trial)
-    demand = max(concrete, bars, tendon)
-    return Trial(step, status == CONVERGED, reached, iterations, error, demand, tendon >= 1.0)
+def deflection(case, control):
+    """Deflection of the control point since the anchored state."""
+    return control.sense * (case.state.u[control.dof] - control.start)
 
 
 @kernel
-def approach(case, fixed, pattern, control, bonded, factor, step, left, taken):
-    """The first step that finds equilibrium: ever shorter ones, then, as a crack that opens at once passes
-    its snap-back, longer ones."""
-    size = step
-    trial = reach(case, fixed, pattern, control, bonded, factor, size, taken)
+def next_step(trial):
+    return trial.step * (1.5 if trial.iterations <= EASY else 1.1 if trial.iterations <= HARD else 0.7)
+
+
+@kernel
+def reach(case, load, drive, step, way, ahead):
+    """Try a further `step` from the committed state; ahead: start from the last step, extrapolated."""
+    value = driven(case.state.u, drive.dof, drive.other) + drive.sense * step
+    target = Target(load.fixed, load.pattern, load.bonded, drive.dof, drive.other, value)
+    share = step / way.taken if ahead and way.taken > 0.0 else 0.0
+    status, factor, iterations, error = find_equilibrium(case, target, way.factor, share)
+    concrete, bars, tendon = utilisation(case, case.work.trial)
+    demand = max(concrete, bars, tendon)
+    return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
+
+
+@kernel
+def approach(case, load, drive, step, way):
+    """The first step that finds equilibrium, ever shorter ones being tried."""
+    trial = reach(case, load, drive, step, way, True)
     for _ in range(SHORTER - 1):
         if trial.converged:
-            return trial
-        size *= 0.25
-        trial = reach(case, fixed, pattern, control, bonded, factor, size, taken)
+            break
+        trial = reach(case, load, drive, 0.25 * trial.step, way, True)
+    return trial
+
+
+@kernel
+def jump(case, load, drive, step, control, left, way):
+    """The first longer step that finds equilibrium, across the snap-back of a crack that opens at once."""
     size = 0.5 * control.largest
-    for _ in range(3):
-        if trial.converged:
-            return trial
-        if step < size <= left:
-            trial = reach(case, fixed, pattern, control, bonded, factor, size, 0.0)
+    trial = Trial(0.0, False, False, 0.0, 0, 0.0, 0.0, False)
+    for _ in range(LONGER):
+        if step < size <= left and not trial.converged:
+            trial = reach(case, load, drive, size, way, False)
         size *= 2.0
     return trial
 
 
 @kernel
-def land(case, fixed, pattern, control, bonded, factor, over, used):
+def land(case, load, drive, over, way):
     """A shorter step that ends on the limit strain that `over` passed; `over` itself where the response jumps
     across it."""
     last = over
     for _ in range(4):
-        share = min(max((1.001 - used) / (last.demand - used), 0.1), 0.95)
-        trial = reach(case, fixed, pattern, control, bonded, factor, last.step * share, 0.0)
+        share = min(max((1.001 - way.used) / (last.demand - way.used), 0.1), 0.95)
+        trial = reach(case, load, drive, last.step * share, way, False)
         if not trial.converged or trial.demand < 1.0:
             break
         last = trial
         if last.demand <= OVERSHOOT:
             return last
-    return reach(case, fixed, pattern, control, bonded, factor, last.step, 0.0)
+    return reach(case, load, drive, last.step, way, last.ahead)  # it converged, so it does again
+
+
+@kernel
+def take(case, stage, load, drive, trial, way):
+    """Accept a trial, the first one beyond a limit strain on that strain; returns what was accepted and how
+    far the load has come."""
+    if not way.failed and trial.demand > OVERSHOOT:
+        trial = land(case, load, drive, trial, way)
+    if not trial.converged:
+        return trial, way
+    accept(case, stage, trial.factor, trial.iterations, trial.error)
+    failed = way.failed or trial.demand >= 1.0
+    allowed = way.allowed
+    if failed and not way.failed:
+        allowed = min(allowed, case.work.spent[0] + AFTER_FAILURE)
+    most = max(way.most, trial.factor)
+    return trial, Way(trial.factor, most, trial.step, trial.demand, failed, allowed)
+
+
+@kernel
+def turn_hinge(case, stage, load, control, way):
+    """Let the element that turns fastest drive the load until the deflection grows beyond where it was."""
+    furthest = deflection(case, control)
+    drive, step = fastest(case)
+    way = Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
+    trial = Trial(0.0, False, False, way.factor, 0, 0.0, way.used, False)
+    for _ in range(HINGE_STEPS):
+        if case.history.rows[0] >= case.history.stage.size or case.work.spent[0] >= way.allowed:
+            break
+        before = deflection(case, control)
+        trial = approach(case, load, drive, step, way)
+        if not trial.converged or trial.factor < LOST * way.most:
+            trial = Trial(0.0, False, False, way.factor, 0, 0.0, way.used, False)
+            break
+        trial, way = take(case, stage, load, drive, trial, way)
+        now = deflection(case, control)
+        if trial.tendon_broke or now >= control.limit or (now > before and now > furthest):
+            break
+        step = next_step(trial)
+        turning, turned = fastest(case)
+        if turning.dof != drive.dof:
+            drive, step = turning, turned
+            way = Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
+    return trial, Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
+
+
+@kernel
+def fastest(case):
+    """The element whose ends turned most against each other in the last step, as a drive, and by how much."""
+    history = case.history
+    last = history.rows[0] - 1
+    most = 0.0
+    element = 0
+    for e in range(case.model.x.size - 1):
+        dof, other = beam_dof(e + 1) + 2, beam_dof(e) + 2
+        turned = driven(history.u[last], dof, other) - driven(history.u[last - 1], dof, other)
+        if abs(turned) > abs(most):
+            most = turned
+            element = e
+    return Drive(beam_dof(element + 1) + 2, beam_dof(element) + 2, np.sign(most)), abs(most)

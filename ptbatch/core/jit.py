@@ -33,6 +33,13 @@ def root(z):
 
 
 @kernel
+def inverse(z):
+    """One over a number other than zero, complex step carried to first order."""
+    r = 1.0 / z.real
+    return r - (z - z.real) * (r * r)
+
+
+@kernel
 def power(z, exponent):
     """z ** exponent for a positive base, complex step carried to first order."""
     p = z.real**exponent

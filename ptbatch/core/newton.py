@@ -4,15 +4,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.core.assembly import internal_forces, tangent
+from ptbatch.core.assembly import find_segments, internal_forces, tangent
 from ptbatch.core.banded import factorise, substitute
+from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
+NEAR, NEARER = 1e-3, 1e-6  # relative residuals: the next step may arrive; the last tangent will do
 NONE, FREE, FROZEN = range(3)  # searching along a step
+NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
 PATIENCE = 6  # iterations in which an undamped way must bring its residual down
 
 
@@ -130,32 +133,54 @@ def line_search(case, target, factor, dfactor, frozen):
 
 
 @kernel
-def solve(case, target):
-    """work.du from the tangent and the residual; returns (solved, the change of the factor)."""
+def factorise_tangent(case):
+    """Factorise work.matrix; false where it is singular."""
+    model, work = case.model, case.work
+    hold(model, work)
+    return factorise(work.matrix, (work.matrix.shape[1] - 1) // 2, work.multipliers, work.pivots)
+
+
+@kernel
+def step(case, target, anew):
+    """work.du from the factorised tangent and the residual; returns (solved, the change of the factor).
+
+    anew: the factors are new since the last step.
+    """
     model, work = case.model, case.work
     half = (work.matrix.shape[1] - 1) // 2
-    hold(model, work)
-    if not factorise(work.matrix, half, work.multipliers, work.pivots):
-        return False, 0.0
     work.du[:] = work.residual
     substitute(work.matrix, half, work.multipliers, work.pivots, work.du)
     if target.dof < 0:
         return True, 0.0
-    for i in range(work.du.size):
-        work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
-    substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
-    reach = work.du_load[target.dof]
+    if anew:
+        for i in range(work.du.size):
+            work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
+        substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
+    reach = driven(work.du_load, target.dof, target.other)
     if reach == 0.0:
         return False, 0.0
-    dfactor = (target.value - work.trial[target.dof] - work.du[target.dof]) / reach
+    left = target.value - driven(work.trial, target.dof, target.other)
+    dfactor = (left - driven(work.du, target.dof, target.other)) / reach
     for i in range(work.du.size):
         work.du[i] += dfactor * work.du_load[i]
     return True, dfactor
 
 
 @kernel
+def residual_alone(case, target, factor):
+    """Relative residual of the trial, by the laws as they stand and without a tangent."""
+    find_segments(case.model, case.work.trial, case.work)
+    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, False, case.work)
+    unbalance(case, target, factor)
+    return residual_norm(case)
+
+
+@kernel
 def equilibrate(case, target, factor, way):
-    """Iterate work.trial to equilibrium; returns (status, factor, iterations, relative residual)."""
+    """Iterate work.trial to equilibrium; returns (status, factor, iterations, relative residual).
+
+    Where it converged, the last evaluation was `residual_alone`, at the trial.
+    """
     work, tolerance = case.work, case.tolerance
     increment = np.inf
     norm = np.inf
@@ -163,21 +188,37 @@ def equilibrate(case, target, factor, way):
     improved = 0
     damping = way.damping
     for iteration in range(way.most):
+        if norm <= NEAR:  # the last step may have arrived: a tangent would be too much for a look
+            norm = residual_alone(case, target, factor)
+            if norm <= tolerance.residual and increment <= tolerance.increment:
+                return CONVERGED, factor, iteration, norm
+            if norm <= NEARER and damping <= NEARER:  # and where it nearly has, its tangent is good enough
+                _, dfactor = step(case, target, False)
+                work.trial[:] += work.du
+                factor += dfactor
+                increment = increment_norm(case)
+                norm = NEAR
+                continue
         if way.search == FREE:
             work.motion[:] = UNKNOWN
         tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)
         unbalance(case, target, factor)
         norm = residual_norm(case)
-        if norm <= tolerance.residual and increment <= tolerance.increment and work.held_back[0] == 0:
-            return CONVERGED, factor, iteration, norm
         if not norm < HOPELESS:
             return SINGULAR, factor, iteration, norm
         if norm < least:
             least = norm
             improved = iteration
+        stays = iteration > improved + PATIENCE and norm <= NOISE * tolerance.residual
+        if (norm <= tolerance.residual and increment <= tolerance.increment) or stays:
+            norm = residual_alone(case, target, factor)
+            if norm <= (NOISE if stays else 1.0) * tolerance.residual:
+                return CONVERGED, factor, iteration, norm
         if way.damping == 0.0 and iteration > improved + PATIENCE and iteration > 2 * PATIENCE:
             return TOO_MANY_ITERATIONS, factor, iteration, norm
-        solved, dfactor = solve(case, target)
+        if not factorise_tangent(case):
+            return SINGULAR, factor, iteration, norm
+        solved, dfactor = step(case, target, True)
         if not solved:
             return SINGULAR, factor, iteration, norm
         damping *= way.decay

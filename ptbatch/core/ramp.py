@@ -1,9 +1,9 @@
 """Stages 1 to 3 and the sustained load: loads and the ends of the tendon move together from one place to
 another."""
 
-from ptbatch.core.case import Target
+from ptbatch.core.case import still
 from ptbatch.core.contact import GROUTED
-from ptbatch.core.equilibrium import imbalance
+from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.history import rewind
 from ptbatch.core.jit import kernel
 from ptbatch.core.newton import CONVERGED, equilibrate
@@ -20,7 +20,7 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
     """Move loads (ndof,) and end values (2,) from their first to their second in steps that are cut where
     they must be; returns (how it ended, share of the stage done)."""
     load = load_from.copy()
-    target = Target(load, load, -1, 0.0, bonded)  # under a factor of zero
+    target = still(load, bonded)
     done, step, rest = 0.0, first, held_node(case)
     while done < 1.0:
         if case.history.rows[0] >= case.history.stage.size:
@@ -73,7 +73,7 @@ def settle(case, target, rest):
             break
         side = pushed(case, rest)
         if side == 0:
-            error = max(error, imbalance(case, target, 0.0))
+            error = max(error, imbalance_as_evaluated(case, target, 0.0))
             if error <= case.tolerance.statics:
                 return CONVERGED, spent, error, rest
             break

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ptbatch.core.equilibrium import imbalance
+from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.history import commit, record, rewind
 from ptbatch.core.jit import kernel
 from ptbatch.core.newton import CONVERGED, FREE, NONE, Way, equilibrate
@@ -41,7 +41,7 @@ def find_equilibrium(case, target, factor, ahead):
         spent += iterations
         case.work.spent[0] += iterations
         if status == CONVERGED:
-            error = max(error, imbalance(case, target, reached))
+            error = max(error, imbalance_as_evaluated(case, target, reached))
             if error <= case.tolerance.statics:
                 return CONVERGED, reached, spent, error
             status = UNBALANCED

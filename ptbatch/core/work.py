@@ -34,7 +34,8 @@ class Work(NamedTuple):
     motion: np.ndarray  # (n+2,) int, of the tendon nodes along the duct in the last iteration
     held_back: np.ndarray  # (1,) int, how many of them were held where friction alone would not
     spent: np.ndarray  # (1,) int, iterations so far
-    on_beam: np.ndarray  # (n+1, 3) forces on the beam nodes, for the check by statics
+    on_beam: np.ndarray  # (n+1, 3) for the check by statics: forces on the beam nodes,
+    left_end: np.ndarray  # (n+1, 3) and those of the fibres at the left end of each element
     half_tan: np.ndarray  # (2,) tan(theta/2) of the kinks at the anchors
     f6: np.ndarray
     q6: np.ndarray
@@ -45,8 +46,7 @@ class Work(NamedTuple):
     k8: np.ndarray  # (8, 12)
     z6: np.ndarray  # complex
     w6: np.ndarray
-    z12: np.ndarray
-    w8: np.ndarray
+    d7: np.ndarray  # (7, 2)
 
 
 WorkRef = reference(Work, "WorkRef")
@@ -56,7 +56,7 @@ def new_work(n: int, half: int) -> Work:
     """Work for n beam elements and a half bandwidth."""
     ndof = 5 * n + 7
     vectors = [np.zeros(ndof) for _ in range(6)]
-    complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6, 12, 8)]
+    complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6)]
     arrays = [
         *vectors,
         np.zeros((ndof, 2 * half + 1)),
@@ -74,6 +74,7 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(1, np.int64),
         np.zeros(1, np.int64),
         np.zeros((n + 1, 3)),
+        np.zeros((n + 1, 3)),
         np.zeros(2),
         np.zeros(6),
         np.zeros(6),
@@ -83,5 +84,6 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(8),
         np.zeros((8, 12)),
         *complex_scratch,
+        np.zeros((7, 2)),
     ]
     return Work(*arrays)

@@ -31,8 +31,9 @@ def draw_curve(axes: Axes, several: Sequence[Stored]) -> None:
     for i, stored in enumerate(several):
         if not len(stored.curves):
             continue
-        ink = style.colour(i)
-        (line,) = axes.plot(*_until_failure(stored), color=ink, label=stored.name, gid=stored.name)
+        look: dict[str, Any] = {"color": style.colour(i), "linestyle": style.dashes(i)}
+        (line,) = axes.plot(*_until_failure(stored), label=stored.name, gid=stored.name, **look)
+        ink = look["color"]
         axes.plot(*_after_failure(stored), color=ink, linewidth=0.9, linestyle=(0, (1, 1.5)))
         handles += [] if alone else [line]
         for mark in marks(stored):
@@ -41,6 +42,7 @@ def draw_curve(axes: Axes, several: Sequence[Stored]) -> None:
     axes.set_ylabel("live load [kN]")
     axes.set_ylim(bottom=0.0)
     axes.margins(y=0.08)
+    axes.set_xlim(left=axes.dataLim.xmin)
     style.legend(axes, handles + _key(several))
 
 

@@ -12,7 +12,7 @@ from ptbatch.plots.output import save, target
 from ptbatch.plots.pages import figure_of, geometry_of, page_of
 from ptbatch.plots.sketch import sketch
 from ptbatch.workbook.inputs import read_inputs
-from ptbatch.workbook.stored import read_stored
+from ptbatch.workbook.stored import Stored, read_stored
 
 
 @dataclass(frozen=True)
@@ -32,14 +32,27 @@ def draw(results: Path, members: Sequence[str], figure: str = "all", output: Pat
     NothingToDrawError where no member has anything that the figure shows.
     """
     several = read_stored(results, list(dict.fromkeys(members)))
-    lacking = [lack(stored, what) for stored in several if (what := missing(stored, figure))]
-    if all(stored.member is None or missing(stored, figure) and figure != "all" for stored in several):
-        raise NothingToDrawError("nothing to draw: " + "; ".join(lacking))
     if figure != "all":
         path = target(results, [stored.name for stored in several], figure, output)
-        return Drawn([save([figure_of(several, figure)], path)], lacking)
+        return draw_stored(several, figure, path)
+    lacking = _lacking(several, figure)
+    if all(stored.member is None for stored in several):
+        raise NothingToDrawError("nothing to draw: " + "; ".join(lacking))
     pages = [(stored.name, lambda stored=stored: page_of(stored)) for stored in several if stored.member]
     return Drawn(_save_pages(results, pages, figure, output), lacking)
+
+
+def draw_stored(several: Sequence[Stored], figure: str, path: Path) -> Drawn:
+    """Draw one kind of figure of members, as `draw` does, from results read before. Raises WriteError,
+    NothingToDrawError."""
+    lacking = _lacking(several, figure)
+    if all(missing(stored, figure) for stored in several):
+        raise NothingToDrawError("nothing to draw: " + "; ".join(lacking))
+    return Drawn([save([figure_of(several, figure)], path)], lacking)
+
+
+def _lacking(several: Sequence[Stored], figure: str) -> list[str]:
+    return [lack(stored, what) for stored in several if (what := missing(stored, figure))]
 
 
 def draw_geometry(workbook: Path, members: Sequence[str], output: Path | None = None) -> Drawn:

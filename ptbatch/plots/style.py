@@ -40,6 +40,11 @@ def colour(i: int) -> str:
     return CYCLE[i % len(CYCLE)]
 
 
+def dashes(i: int) -> Any:
+    """Line style of the i-th of several members: every second one dashed, to show the one that it lies on."""
+    return (0, (4, 1.5)) if i % 2 else "-"
+
+
 def along(axes: Axes, length: float, supports: Iterable[float] = ()) -> None:
     """An axis along a member [mm], ticked in m, with its supports."""
     margin = 0.02 * length

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.compare.made_up import CURVES, ROW, TENDON, summary, write
+from tests.compare.made_up import CRACKS, CURVES, ROW, TENDON, summary, write
 
 
 @pytest.fixture
@@ -13,17 +13,17 @@ def results(tmp_path):
 
     def make(*rows, name="beams.results.xlsx") -> Path:
         rows = rows or (summary(), summary(member="B2", **{"load_peak [kN]": "not converged: see message"}))
-        return write(tmp_path / name, summary=rows, tendon=TENDON, curves=CURVES)
+        return write(tmp_path / name, summary=rows, tendon=TENDON, curves=CURVES, cracks=CRACKS)
 
     return make
 
 
 @pytest.fixture
 def published(tmp_path):
-    """published(row, ...) writes a table; what a row does not say is as in ROW."""
+    """published(row, ...) writes a table; what a row does not say is as in ROW. Sheets by their name."""
 
-    def make(*rows, name="published.xlsx") -> Path:
-        return write(tmp_path / name, published=[ROW | row for row in rows])
+    def make(*rows, name="published.xlsx", **sheets) -> Path:
+        return write(tmp_path / name, published=[ROW | row for row in rows], **sheets)
 
     return make
 

@@ -54,3 +54,7 @@ CURVES = [
     }
     for i, (load, deflection) in enumerate([(0, 0), (100, 10), (80, 9), (200, 30)])
 ]
+CRACKS = [
+    {"member": "B1", "stage": "end", "step": 3, "x [mm]": x, "crack_from [mm]": top, "crack_to [mm]": bottom}
+    for x, top, bottom in ((500, 400, 500), (500, 0, 50), (900, 200, 500))
+]

@@ -3,6 +3,8 @@
 import pytest
 
 STRESS = {"quantity": "stress_fe [MPa]", "stage": "jacked"}
+CRACKS = {"stage": "end"}
+LOAD = {"quantity": "load", "deflection": 10, "as": "difference", "against_quantity": "load_peak"}
 LOSS = {"quantity": "loss_fixed_end_fe", "as": "ratio", "against_quantity": "loss_fixed_end_analytic"}
 NOT_CONVERGED = "the results say: not converged: see message"
 
@@ -30,6 +32,13 @@ def one(lines):
         (STRESS | {"x": 0, "as": "difference", "against_x": 2000}, 30.0),
         (STRESS | {"x": 0, "as": "difference", "against_quantity": "stress_analytic"}, 0.0),
         ({"quantity": "loss_fixed_end_fe [%]", "as": "ratio", "against": "B2"}, 1.0),
+        (LOAD | {"share_of": "load_peak"}, -50.0),  # 100 less 200 kN, in % of 200 kN
+        (LOAD | {"quantity": "load [N]", "share_of": "load_peak [kN]"}, -50.0),
+        (CRACKS | {"quantity": "cracked_sections"}, 2.0),
+        (CRACKS | {"quantity": "cracked_from"}, 500.0),
+        (CRACKS | {"quantity": "cracked_to [m]"}, 0.9),
+        (CRACKS | {"quantity": "crack_height_mean"}, 150.0),
+        (CRACKS | {"quantity": "crack_height_max", "as": "ratio", "against_quantity": "cracked_to"}, 1 / 3),
     ],
 )
 def test_what_is_compared(one, row, ours):
@@ -106,6 +115,19 @@ def test_numbers_without_a_tolerance_take_that_of_the_command(one):
             {"quantity": "camber_anchored", "as": "ratio", "against": "B2"},
             "there is no ratio to camber_anchored, which is zero",
         ),
+        (
+            {"quantity": "elongation", "as": "difference", "against": "B2", "share_of": "camber_anchored"},
+            "the results have no quantity elongation",
+        ),
+        (
+            {"quantity": "camber_anchored", "as": "difference", "against": "B2"}
+            | {"share_of": "camber_anchored"},
+            "there is no ratio to camber_anchored, which is zero",
+        ),
+        (
+            {"quantity": "cracked_to", "stage": "peak"},
+            "the sheet cracks has no cracks of B1 at the stage peak",
+        ),
     ],
 )
 def test_why_a_row_fails(one, row, because):
@@ -159,6 +181,13 @@ def test_a_mark_that_is_no_longer_needed_is_told(one):
             "",
             "± 0.0001 %",
         ),
+        (
+            LOAD | {"share_of": "load_peak", "against_quantity": None, "against": "B1", "atol": 2},
+            "load, at 10 mm less that of B1, as a share of load_peak",
+            "%",
+            "± 2",
+        ),
+        (CRACKS | {"quantity": "cracked_to", "atol": 381}, "cracked_to, end", "mm", "± 381"),
     ],
 )
 def test_how_a_line_reads(one, row, what, unit, tolerance):

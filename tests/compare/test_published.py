@@ -46,6 +46,12 @@ STRESS = {"quantity": "stress_fe", "stage": "jacked", "x": 0}
         (STRESS | {"x": "middle"}, "published!G2  x = middle: a text is not a number"),
         (STRESS | {"stage": "jacking"}, "published!F2  stage = jacking: is not one of the choices"),
         (STRESS | {"against_x": -1, "as": "ratio"}, "against_x = -1: must be zero or more"),
+        ({"quantity": "cracked_to"}, "stage: missing; give stage: cracked_to is looked up by it"),
+        ({"share_of": "load_peak"}, "share_of = load_peak: is for differences alone"),
+        (
+            {"as": "difference", "against": "B2", "share_of": "stress_fe"},
+            "stage: missing; give stage: stress_fe is looked up by it",
+        ),
         ({"quantity": "load [kN]"}, "deflection: missing; give deflection: load is looked up by it"),
         (
             {"as": "ratio", "against_quantity": "load", "quantity": "load_peak"},
@@ -75,7 +81,7 @@ def test_every_fault_of_a_row_at_once(lines):
         ([{"member": "B1", "value": 1}], "quantity: there is no such column; give a header of summary"),
         ([ROW | {"x [kN]": 1}], "published!F1  x [kN] = x [kN]: kN is a unit of force, not of length"),
         ([ROW | {"x": 1, "x [mm]": 1}], "this column is given twice; keep one of them"),
-        ([dict.fromkeys(ROW)], "sheet published has no rows below its headers; add one per number"),
+        ([dict.fromkeys(ROW)], "sheet published has no rows below its headers; add some"),
     ],
 )
 def test_a_table_that_cannot_be_read(tmp_path, rows, message):
@@ -113,6 +119,6 @@ def test_a_results_workbook_is_none(results):
     assert read_published(results()) is None
 
 
-def test_figures_and_notes_are_kept(lines):
-    (line,) = lines({"figures": "fig-7; fig-9;", "note": "ours", "case": "One"})
-    assert (line.figures, line.note, line.case) == (("fig-7", "fig-9"), "ours", "One")
+def test_case_and_note_are_kept(lines):
+    (line,) = lines({"note": "ours", "case": "One"})
+    assert (line.note, line.case) == ("ours", "One")

@@ -5,11 +5,10 @@ from openpyxl import load_workbook
 
 from ptbatch.compare import report
 from ptbatch.compare.comparison import compare_workbooks
-from ptbatch.compare.figures import image_links
 
 ROWS = (
     {"rtol": 0.1, "value": 190, "note": "Ours | theirs."},
-    {"value": 190, "case": "Second", "figures": "fig-7; fig-8"},
+    {"value": 190, "case": "Second"},
     {"value": 1, "case": "Second", "not_reproducible": "a misprint"},
     {"value": None, "case": "Second", "not_reproducible": "a misprint", "quantity": "camber_anchored [mm]"},
 )
@@ -47,8 +46,6 @@ def test_records_are_those_of_the_sheet(lines):
 
 def test_markdown(tmp_path, results, published):
     path = tmp_path / "report.md"
-    (tmp_path / "figures").mkdir()
-    (tmp_path / "figures" / "fig-7.png").touch()
     compare_workbooks(results(), published(*ROWS), markdown=path)
     assert path.read_text("utf-8").splitlines() == [
         "# Verification",
@@ -77,10 +74,4 @@ def test_markdown(tmp_path, results, published):
         "- 1: fail, because off by 10 (5.3 %)",
         "- 2-3: not reproducible, because a misprint",
         "- 1-3: from made up",
-        "",
-        "![fig-7](figures/fig-7.png)",
     ]
-
-
-def test_only_figures_that_are_there_are_linked(tmp_path):
-    assert image_links(["a", "b"], tmp_path / "report.md") == []

@@ -4,7 +4,7 @@ what is not."""
 import numpy as np
 import pytest
 
-from ptbatch.core.case import Target, open_case
+from ptbatch.core.case import open_case, still
 from ptbatch.core.contact import HELD
 from ptbatch.core.equilibrium import along_tendon, imbalance
 from ptbatch.core.history import rewind
@@ -31,7 +31,7 @@ class Loaded:
         rewind(self.case.state, self.case.work)
         if dof is not None:
             self.case.work.trial[dof] += by
-        target = Target(loads, np.zeros_like(loads), -1, 0.0, self.bonded)
+        target = still(loads, self.bonded)
         return self.force * imbalance(handle or self.handle, target, 0.0)
 
     def pull(self, node, component):

@@ -30,7 +30,7 @@ class Loading:
         setup = self.run.setup
         bonded = setup.member.bond == "bonded"
         full = setup.self_weight + setup.sustained
-        return Target(full, setup.pattern, self.dof, self.start + steps * self.step, bonded)
+        return Target(full, setup.pattern, bonded, self.dof, -1, self.start + steps * self.step)
 
     def reach(self, steps, ahead=0.0):
         """(status, factor, iterations, imbalance) of a try, which is not accepted."""
@@ -126,7 +126,7 @@ def test_a_budget_that_is_spent_ends_without_a_capacity(monkeypatch, budget, sta
     monkeypatch.setattr(analysis, "BUDGET", budget)
     response = analysis.analyse(Member(**SMALL | dict(live=live)))
     assert response.status == "not converged"
-    assert response.message.startswith(f"{stage}: the allowed number of iterations did not lead beyond")
+    assert response.message.startswith(f"{stage}: the iterations allowed did not lead beyond")
     row = summary_row(response.member, response)
     assert {row[header] for header in HEADERS} == {"not converged: see message"}
     assert response.newton_iterations >= budget
@@ -147,4 +147,4 @@ def test_every_budget_up_to_the_one_that_is_needed_ends_without_a_capacity(monke
             failed = failed or budget
         else:
             assert failed is None and response.status == "not converged"
-            assert "number of iterations" in response.message
+            assert "iterations allowed" in response.message

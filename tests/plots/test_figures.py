@@ -68,6 +68,14 @@ def test_load_deflection_curve_and_its_events(stored):
         assert np.interp(by_name[name].deflection, deflection, load) == pytest.approx(by_name[name].load)
 
 
+def test_a_curve_on_another_one_is_dashed(stored):
+    """So that both can be seen; the axis begins where the curves do."""
+    figure = figure_of([stored["simple"], stored["two spans"]], "load-deflection")
+    below, above = (drawn(figure, name)[0] for name in ("simple", "two spans"))
+    assert (below.get_linestyle(), above.get_linestyle()) == ("-", "--")
+    assert figure.axes[0].get_xlim()[0] == pytest.approx(0.0, abs=1e-9)
+
+
 def test_failure_has_a_place_and_a_load(stored):
     summary = stored["simple"].summary
     assert 2000.0 < summary["failure_x [mm]"] < 4000.0
