@@ -20,7 +20,8 @@ REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5
 
 @dataclass(frozen=True)
 class Recorded:
-    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain (steps,)."""
+    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain
+    (steps,)."""
 
     model: Model
     u: Array

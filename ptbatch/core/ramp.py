@@ -1,6 +1,8 @@
 """Stages 1 to 3 and the sustained load: loads and the ends of the tendon move together from one place to
 another."""
 
+from typing import NamedTuple
+
 from ptbatch.core.case import still
 from ptbatch.core.contact import GROUTED
 from ptbatch.core.equilibrium import imbalance_as_evaluated
@@ -13,6 +15,19 @@ DONE, NO_EQUILIBRIUM, NO_BUDGET, NO_ROOM = range(4)  # how a stage ended
 
 SMALLEST = 1e-4  # of a stage: below this a step is given up
 SAME = 1e-8  # of the force: nodes that friction holds but for so little rest
+SURELY = 0.97  # of its friction: a node that needs less to rest has no neighbour that might as well
+
+
+class Held(NamedTuple):
+    """Equilibrium with one tendon node held: how it ended, iterations and residual; the friction to spare
+    [N], the sense (1 to the right) in which the node would slide, and whether it surely would not."""
+
+    status: int
+    iterations: int
+    error: float
+    spare: float
+    side: int
+    surely: bool
 
 
 @kernel
@@ -57,39 +72,54 @@ def held_node(case):
 
 
 @kernel
-def settle(case, target, rest):
-    """Equilibrium of a tendon that is pulled at both ends: by forces alone it could lie anywhere in its duct,
-    so the node at rest is held as grout would do it, and the next one tried until friction alone can hold it;
-    returns (status, iterations, largest imbalance, node at rest)."""
-    motion = case.state.motion
-    spent = 0
-    for _ in range(motion.size):
-        motion[rest] = GROUTED
-        rewind(case.state, case.work)
-        status, _, iterations, error = equilibrate(case, target, 0.0, WAYS[0])
-        spent += iterations
-        case.work.spent[0] += iterations
-        if status != CONVERGED:
-            break
-        side = pushed(case, rest)
-        if side == 0:
-            error = max(error, imbalance_as_evaluated(case, target, 0.0))
-            if error <= case.tolerance.statics:
-                return CONVERGED, spent, error, rest
-            break
-        if not 0 < rest - side < motion.size - 1:
-            break
-        motion[rest] = motion[rest + side]  # it slides as its neighbours do
-        rest -= side
-    status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
-    return status, spent + iterations, error, rest
+def hold(case, target, j):
+    """Equilibrium with tendon node j held as grout would do it."""
+    work, contact, motion = case.work, case.model.contact, case.state.motion
+    motion[j] = GROUTED
+    rewind(case.state, work)
+    status, _, iterations, error = equilibrate(case, target, 0.0, WAYS[0])
+    work.spent[0] += iterations
+    capacity = contact.mu * abs(work.normal[j]) + work.rough[j] * 0.5 * (work.T[j - 1] + work.T[j])
+    needed = abs(work.shear[j]) - SAME * case.tolerance.force
+    side = 1 if work.shear[j] > 0.0 else -1
+    return Held(status, iterations, error, capacity - needed, side, needed < SURELY * capacity)
 
 
 @kernel
-def pushed(case, j):
-    """The sense (1 to the right) in which a held node would slide; 0 if friction can hold it."""
-    work, contact = case.work, case.model.contact
-    capacity = contact.mu * abs(work.normal[j]) + work.rough[j] * 0.5 * (work.T[j - 1] + work.T[j])
-    if abs(work.shear[j]) <= capacity + SAME * case.tolerance.force:
-        return 0
-    return 1 if work.shear[j] > 0.0 else -1
+def settle(case, target, rest):
+    """Equilibrium of a tendon that is pulled at both ends: by forces alone it could lie anywhere in its duct,
+    so the node that rests is held, and the next one tried until friction alone can hold it; returns (status,
+    iterations, largest imbalance, node at rest).
+
+    Between two nodes that could both rest, as in a symmetric member, both slide: the tendon then lies where
+    friction is just enough for that.
+    """
+    state, work = case.state, case.work
+    motion, place = state.motion, state.s.copy()
+    held = hold(case, target, rest)
+    spent = held.iterations
+    for _ in range(motion.size):
+        other = rest - held.side
+        if held.status != CONVERGED or held.surely or not 0 < other < motion.size - 1:
+            break
+        away = work.s[other] - state.s[other]
+        motion[rest] = motion[rest + held.side]  # it slides as its neighbours do
+        beside = hold(case, target, other)
+        spent += beside.iterations
+        tied = beside.side != held.side and (beside.spare >= 0.0) == (held.spare >= 0.0)
+        if beside.status != CONVERGED or tied or held.spare >= 0.0:
+            if beside.status == CONVERGED and tied:
+                state.s[rest] -= away * held.spare / (held.spare + beside.spare)
+            motion[other] = motion[other - held.side]
+            held = hold(case, target, rest)
+            spent += held.iterations
+            break
+        rest, held = other, beside
+    status, error = held.status, held.error
+    if status == CONVERGED:
+        error = max(error, imbalance_as_evaluated(case, target, 0.0))
+    if status != CONVERGED or error > case.tolerance.statics:
+        status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
+        spent += iterations
+    state.s[:] = place
+    return status, spent, error, rest
