@@ -123,10 +123,9 @@ def _tendon_state(run: "Run", row: float) -> TendonState:
     history, line, Aps = run.rig.case.history, run.setup.duct, run.setup.member.Aps
     s, T, anchor = (_between(column, row) for column in (history.s, history.T, history.anchor))
     middle = np.clip(0.5 * (s[1:] + s[:-1]), line.s[0], line.s[-1])
-    fine = np.linspace(line.x[0], line.x[-1], 20 * len(line.x) + 1)
     moved = s - run.start.s
     return TendonState(
-        np.interp(middle, run.setup.profile.arc_length(fine), fine),
+        run.setup.profile.place(middle),
         T / Aps,
         0.5 * (moved[1:] + moved[:-1]),
         (float(anchor[0] / Aps), float(anchor[1] / Aps)),
