@@ -122,4 +122,6 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
     """Service, second part: the live pattern, driven by the control point's deflection to its limit or to the
     rupture of the tendon; how it ended, a key of `WHY` or DONE."""
     rig.case.state.rub[:] *= LET_GO
-    return int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))
+    ended = int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))
+    spent = rig.case.work.spent[0] >= rig.case.tolerance.budget
+    return NO_BUDGET if ended == NO_EQUILIBRIUM and spent else ended
