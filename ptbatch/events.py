@@ -86,8 +86,7 @@ def _peak(curve: Curve, failure: Event | None) -> Event:
 
 def _at(step: float, curve: Curve) -> tuple[float, float]:
     """(load, deflection) at a fractional row."""
-    rows = np.arange(len(curve.load))
-    return float(np.interp(step, rows, curve.load)), float(np.interp(step, rows, curve.deflection))
+    return curve.at(step, curve.load), curve.at(step, curve.deflection)
 
 
 def _crossing(measure: Array, limit: float) -> float | None:

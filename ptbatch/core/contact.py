@@ -121,11 +121,13 @@ def friction(slip, rub, N, T, rough, was, c):
     if was == GROUTED:
         return trial, GROUTED
     capacity = c.mu * N + rough * T
-    limit = ALMOST * capacity.real
     if was == EXPECTED_FORWARD:
         return capacity, FORWARD
     if was == EXPECTED_BACKWARD:
         return -capacity, BACKWARD
+    if capacity.real < 0.0:
+        capacity = 0.0 * capacity
+    limit = ALMOST * capacity.real
     if trial.real >= limit:
         return (trial, HELD) if was == BACKWARD else (capacity, FORWARD)
     if trial.real <= -limit:
@@ -169,8 +171,11 @@ def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
         N = P + 0.0 * ux
     # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing,
     # and its sign with it; what the tendon's own kink presses does not.
-    press = T4 * (e4[1] * ux - e4[0] * uy) - T3 * (e3[1] * ux - e3[0] * uy)
-    press = press if press.real >= 0.0 else -press
+    into3 = e3[0] * uy - e3[1] * ux
+    into4 = e4[1] * ux - e4[0] * uy
+    press = T3 * into3 + T4 * into4
+    # by the kink, so that a slack tendon knows as well which way it is going to press
+    press = press if (into3 + into4).real >= 0.0 else -press
     Tt, motion = friction(slip + 0.0 * ux, rub, press, 0.5 * (T3 + T4), rough, was, c)
     return Tt * ux - N * uy, Tt * uy + N * ux, N, Tt, motion
 
