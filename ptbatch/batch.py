@@ -21,6 +21,7 @@ from ptbatch.runner import Outcomes, on_threads
 from ptbatch.spool import Lines
 from ptbatch.workbook import columnar, delimited
 from ptbatch.workbook.arrow import has_arrow, load_arrow
+from ptbatch.workbook.filed import LONG_TABLES, place_of
 from ptbatch.workbook.inputs import Inputs, read_inputs
 from ptbatch.workbook.output import Output
 from ptbatch.workbook.results import NOT_ANALYSED, summary_headers, summary_line
@@ -99,7 +100,7 @@ def run_workbook(
             **{"jobs": "on other machines" if outcomes else jobs, "only": "; ".join(only) or "all rows"},
             **{f"setting {name}": setting.raw for name, setting in inputs.settings.defaults.items()},
             **{"rows": len(lines), **{f"rows {status}": count for status, count in counts.items()}},
-            **{"rows from the journal": journal.used, "long tables": _where(folder)},
+            **{"rows from the journal": journal.used, LONG_TABLES: place_of(folder, path)},
             "wall time [s]": perf_counter() - start,
         }
         written = results.finish(run)
@@ -143,10 +144,6 @@ def _output(path: Path, inputs: Inputs, folder: Path | None) -> Iterator[Output]
         yield output
     finally:
         output.discard()
-
-
-def _where(folder: Path | None) -> str:
-    return str(folder) if folder else "in this workbook"
 
 
 def check_target(path: Path, source: Path) -> None:

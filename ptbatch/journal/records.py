@@ -41,7 +41,7 @@ class Records:
         if not lock(self._file):
             raise WriteError(f"{path} is in use: another run is writing the same results")
         self._file.seek(0)
-        if self._file.read(len(MAGIC)) not in (MAGIC, b""):
+        if not MAGIC.startswith(self._file.read(len(MAGIC))):
             raise WriteError(f"{path} is no journal of this program; delete it")
         self._places = dict(_sound(self._file))
         self._end = max((place + size for place, size in self._places.values()), default=len(MAGIC))
