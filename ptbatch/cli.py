@@ -46,7 +46,11 @@ def cli() -> None:
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Results [WORKBOOK.results.xlsx].")
 @click.option("--jobs", type=click.IntRange(1), help="Members at a time [number of CPUs].")
 @click.option("--only", multiple=True, metavar="MEMBER", help="This member alone; may be repeated.")
-@click.option("--scheduler", metavar="ADDRESS", help="Analyse on the workers of this Dask scheduler.")
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Analyse on the workers of this Dask scheduler, e.g. tcp://HOST:8786; needs ptbatch[cluster].",
+)
 @click.option("--resume", is_flag=True, help="Analyse only what an unfinished run has not yet.")
 @click.option(
     "--parquet",
