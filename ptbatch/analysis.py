@@ -6,6 +6,7 @@ from ptbatch import stages
 from ptbatch.core.case import Case, Tolerance
 from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
+from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
 from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.member import Member
@@ -98,7 +99,7 @@ def mean_stress(run: Run) -> float:
 
 
 def serve(run: Run, refine: int) -> int:
-    """Stage 4; how the live load ended."""
+    """Stage 4; how it ended. A member that fails under its sustained load gets no live load."""
     setup, member = run.setup, run.setup.member
     bonded = bool(member.bond == "bonded")
     dof = 5 * setup.mesh.control + 3
@@ -112,4 +113,6 @@ def serve(run: Run, refine: int) -> int:
     )
     full = setup.self_weight + setup.sustained
     stages.sustain(run.rig, (setup.self_weight, full), bonded)
+    if run.rig.failed:
+        return DONE
     return stages.load_to_failure(run.rig, full, setup.pattern, control, bonded)

@@ -11,7 +11,7 @@ from ptbatch.cracks import cracks_at
 from ptbatch.events import Recorded, Service, find_events, nearest_to_failure
 from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
-from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Response, TendonState
+from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Event, Response, TendonState
 from ptbatch.run import Run
 from ptbatch.statics import node_values, section_moments
 
@@ -45,6 +45,12 @@ def finished(run: Run, ended: int) -> Response:
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
     service = Service(run.rig.case.model, history.u[rows], history.T[rows], history.strain[rows], curve)
     events, failure = find_events(service)
+    if failure and (before := _before_live(run, events, failure)):
+        common |= _states(run, rows, common["tendon"])
+        events = tuple(event for event in events if event.name != "peak")
+        return Response(
+            **common, curve=curve, events=events, failure=failure, status="warning", message=before
+        )
     if not complete and not failure:
         last = curve.load[-1]
         if ended != NO_EQUILIBRIUM or last > 0.98 * curve.load.max():
@@ -64,6 +70,16 @@ def finished(run: Run, ended: int) -> Response:
         status="ok",
         message=note,
     )
+
+
+def _before_live(run: Run, events: tuple[Event, ...], failure: str) -> str:
+    """What to say of a member that failed before any live load came on; empty if it did not."""
+    event = next(event for event in events if event.name == failure)
+    loaded = int(np.count_nonzero(run.rig.case.history.stage[_service_rows(run)] == stages.LIVE))
+    if loaded and event.step > len(_service_rows(run)) - loaded - 1:
+        return ""
+    under = "stressing" if event.step == 0.0 else "the sustained load"
+    return f"{failure} at x = {event.place:.0f} mm under {under}: no live load can be carried"
 
 
 def _common(run: Run, before: int) -> dict[str, Any]:
