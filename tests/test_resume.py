@@ -138,6 +138,18 @@ def test_interrupted_twice(source, slow):
     )
 
 
+def test_interrupted_before_the_first_row(book, beam, engine, monkeypatch):
+    from threading import Event
+
+    from ptbatch.batch import run_workbook
+
+    path, stop = book(beam), Event()
+    stop.set()
+    with pytest.raises(KeyboardInterrupt):
+        run_workbook(path, stop=stop)
+    assert list(path.parent.iterdir()) == [path]
+
+
 def test_a_changed_row_is_analysed_again(book, beam, engine, monkeypatch):
     path = book(beam, beam | {"member": "crash"}, beam | {"member": "B3"})
     monkeypatch.setattr("ptbatch.batch.Output.finish", lambda *_: 1 / 0)
