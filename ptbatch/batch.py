@@ -81,9 +81,10 @@ def run_workbook(
 
     only: names of members, all if empty. outcomes: who analyses them, `jobs` threads if None. resume: take
     what an unfinished run of the same output left in its journal. parquet: folder for the long tables; one
-    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed. Raises
-    ReadError, UnknownMemberError, WriteError, MissingArrowError, KeyboardInterrupt if `stop` is set before the
-    first row.
+    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed.
+
+    Raises ReadError, UnknownMemberError, WriteError, MissingArrowError; KeyboardInterrupt if `stop` is set
+    before the first row.
     """
     start, started = perf_counter(), datetime.now()
     only, stop = tuple(only), stop or Event()
