@@ -1,7 +1,5 @@
 """The analysis of one member: jacking, wedge set, anchoring, service."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ptbatch import stages
@@ -9,27 +7,16 @@ from ptbatch.core.case import Case, Tolerance
 from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
 from ptbatch.core.work import new_work
-from ptbatch.losses import Losses, analytic_losses, fpj_for_mean
+from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.member import Member
 from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
-from ptbatch.model.duct import TendonStart
 from ptbatch.postprocess import finished, stopped
 from ptbatch.response import Response
+from ptbatch.run import Run
 
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
 BUDGET = 30_000  # iterations of one member at most
-
-
-@dataclass(frozen=True)
-class Run:
-    """One pass through the stages: what it worked on, and the jacking stress with its analytic losses."""
-
-    setup: Setup
-    rig: stages.Rig
-    start: TendonStart
-    losses: Losses
-    fpj: float
 
 
 def analyse(member: Member, *, refine: int = 1) -> Response:
