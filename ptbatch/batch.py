@@ -1,41 +1,63 @@
-"""A workbook in, a workbook out."""
+"""A table of members in, a workbook of results out."""
 
 import os
 import platform
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from threading import Event
 from time import perf_counter
 from typing import Any
 
 from ptbatch import __version__
 from ptbatch.errors import WriteError
-from ptbatch.runner import Progress, run_members
+from ptbatch.journal.journal import Journal, journal_path
+from ptbatch.pairing import Pair, Pairing
+from ptbatch.runner import Outcomes, on_threads
+from ptbatch.spool import Lines
+from ptbatch.workbook import columnar, delimited
+from ptbatch.workbook.arrow import has_arrow, load_arrow
+from ptbatch.workbook.filed import LONG_TABLES, place_of
 from ptbatch.workbook.inputs import Inputs, read_inputs
-from ptbatch.workbook.results import Outcome, result_sheets, summary_headers, summary_line
-from ptbatch.workbook.write import write_workbook
+from ptbatch.workbook.output import Output
+from ptbatch.workbook.results import NOT_ANALYSED, summary_headers, summary_line
 
-STATUSES = ("ok", "warning", "invalid", "not converged")
+STATUSES = ("ok", "warning", "invalid", "not converged", NOT_ANALYSED)
+MANY = 2_000  # members whose long tables make a workbook that Excel can still open at ease
+NO_WORKBOOKS = (*delimited.SUFFIXES, *columnar.SUFFIXES)
+
+Progress = Callable[[int, int, str], None]  # rows done, rows in all, the member just finished
 
 
 @dataclass(frozen=True)
 class Batch:
-    """What a run gave: the summary, how many rows of each status, the file wanted and the one written."""
+    """What a run gave: the summary, how many rows of each status, the file wanted and the one written.
+
+    known: rows whose outcomes were in the journal. tables: folder of the long tables if they are files.
+    """
 
     inputs: Inputs
     headers: list[str]
-    lines: list[list[Any]]
+    lines: Lines
     counts: dict[str, int]
     wanted: Path
     path: Path
+    known: int = 0
+    tables: Path | None = None
 
     @property
     def failed(self) -> bool:
         """Whether a row is invalid or did not converge."""
         return bool(self.counts["invalid"] or self.counts["not converged"])
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether rows were not reached."""
+        return bool(self.counts[NOT_ANALYSED])
 
 
 def results_path(source: Path) -> Path:
@@ -49,47 +71,95 @@ def run_workbook(
     jobs: int = 1,
     only: Iterable[str] = (),
     progress: Progress | None = None,
+    outcomes: Outcomes | None = None,
+    *,
+    resume: bool = False,
+    parquet: Path | None = None,
+    stop: Event | None = None,
 ) -> Batch:
-    """Analyse the members of a workbook and write the results workbook.
+    """Analyse the members of a workbook, a CSV or a Parquet file and write the results workbook.
 
-    only: names of members, all if empty. Raises ReadError, UnknownMemberError, WriteError.
+    only: names of members, all if empty. outcomes: who analyses them, `jobs` threads if None. resume: take
+    what an unfinished run of the same output left in its journal. parquet: folder for the long tables; one
+    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed.
+
+    Raises ReadError, UnknownMemberError, WriteError, MissingArrowError; KeyboardInterrupt if `stop` is set
+    before the first row.
     """
     start, started = perf_counter(), datetime.now()
-    only = tuple(only)
+    only, stop = tuple(only), stop or Event()
     path = output or results_path(source)
     inputs = read_inputs(source)
     inputs = inputs.only(only) if only else inputs
     check_target(path, source)
-    outcomes = _outcomes(inputs, jobs, progress)
-    lines = [summary_line(row, outcome) for row, outcome in zip(inputs.rows, outcomes, strict=True)]
+    if stop.is_set():
+        raise KeyboardInterrupt  # there is nothing yet to be written
+    folder = tables_folder(path, len(inputs.rows), parquet)
+    with Journal(journal_path(path), resume) as journal, _output(path, inputs, folder) as results:
+        pairs = Pairing(inputs.rows, outcomes or on_threads(jobs, stop), journal, stop)
+        lines = _run(pairs, results, len(inputs.rows), progress)
+        counts = _counts(lines)
+        run = {
+            **_identity(started, inputs),
+            **{"jobs": jobs, "only": "; ".join(only) or "all rows"},
+            **{f"setting {name}": setting.raw for name, setting in inputs.settings.defaults.items()},
+            **{"rows": len(lines), **{f"rows {status}": count for status, count in counts.items()}},
+            **{"rows from the journal": journal.used, LONG_TABLES: place_of(folder, path)},
+            "wall time [s]": perf_counter() - start,
+        }
+        written = results.finish(run)
+        if not counts[NOT_ANALYSED]:
+            journal.remove()
+    return Batch(inputs, summary_headers(inputs), lines, counts, path, written, journal.used, folder)
+
+
+def _run(pairs: Iterable[Pair], results: Output, total: int, progress: Progress | None) -> Lines:
+    """Put every row with its outcome into the results as it comes; the lines of the summary."""
+    lines = Lines()
+    for row, outcome in pairs:
+        line = summary_line(row, outcome)
+        lines.add(line)
+        results.add(row, line, outcome)
+        if progress:
+            progress(len(lines), total, row.name)
+    return lines
+
+
+def _counts(lines: Lines) -> dict[str, int]:
+    """Number of rows of each status."""
     tally = Counter(line[1] for line in lines)
-    counts = {status: tally[status] for status in STATUSES}
-    run = {
-        **_identity(started, inputs),
-        **{"jobs": jobs, "only": "; ".join(only) or "all rows"},
-        **{f"setting {name}": setting.raw for name, setting in inputs.settings.defaults.items()},
-        **{"rows": len(lines), **{f"rows {status}": count for status, count in counts.items()}},
-        "wall time [s]": perf_counter() - start,
-    }
-    written = write_workbook(path, result_sheets(inputs, lines, outcomes, run))
-    return Batch(inputs, summary_headers(inputs), lines, counts, path, written)
+    return {status: tally[status] for status in STATUSES}
+
+
+def tables_folder(path: Path, rows: int, wanted: Path | None) -> Path | None:
+    """Folder of Parquet files for the long tables, None where the workbook holds them: `beams.results.xlsx`
+    has `beams.results.tables`, beside it. Raises MissingArrowError if they are wanted and cannot be."""
+    if wanted:
+        load_arrow()
+        return wanted
+    return path.with_suffix(".tables") if rows > MANY and has_arrow() else None
+
+
+@contextmanager
+def _output(path: Path, inputs: Inputs, folder: Path | None) -> Iterator[Output]:
+    """Results whose temporary files are gone at the end, whatever happens."""
+    output = Output(path, inputs, folder)
+    try:
+        yield output
+    finally:
+        output.discard()
 
 
 def check_target(path: Path, source: Path) -> None:
     """Raise WriteError before the work rather than after it."""
     if path.resolve() == source.resolve():
         raise WriteError(f"{path} is the input, which is never touched; give another name with -o")
+    if path.suffix.lower() in NO_WORKBOOKS:
+        raise WriteError(f"{path}: results are a workbook, .xlsx; --parquet FOLDER writes tables to files")
     if not path.parent.is_dir():
         raise WriteError(f"{path} cannot be written: there is no folder {path.parent}")
     if not os.access(path.parent, os.W_OK):
         raise WriteError(f"{path} cannot be written: the folder is read-only; give another one with -o")
-
-
-def _outcomes(inputs: Inputs, jobs: int, progress: Progress | None) -> list[Outcome | None]:
-    """Outcomes of all rows in their order, None for invalid ones."""
-    members = [row.member for row in inputs.rows if row.member is not None]
-    done = iter(run_members(members, jobs, progress))
-    return [None if row.member is None else next(done) for row in inputs.rows]
 
 
 def _identity(started: datetime, inputs: Inputs) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NoReturn
 
@@ -12,13 +12,10 @@ from ptbatch import __version__
 from ptbatch.errors import OutputNameError, PtbatchError, UnknownMemberError
 
 if TYPE_CHECKING:
-    from ptbatch.batch import Batch
-    from ptbatch.runner import Progress
+    from ptbatch.batch import Progress
 
 OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
-PASSED = ("ok", "warning")
 FIGURES = ("stress", "redistribution", "load-deflection", "cracks", "profile", "all")
-SHOWN_ROWS = 40  # of the closing table
 
 EPILOG = """\b
 Exit codes:
@@ -28,6 +25,8 @@ Exit codes:
   3   some rows invalid or not converged (results written)
   4   nothing could be read or written
   70  internal error
+  130 interrupted by Ctrl-C: the rows in flight were finished and what there is was written; a second Ctrl-C
+      stops at once and writes nothing. Either way `run --resume` goes on from there
 """
 
 WORKBOOK = click.argument("workbook", type=click.Path(path_type=Path))
@@ -44,20 +43,50 @@ def cli() -> None:
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Results [WORKBOOK.results.xlsx].")
 @click.option("--jobs", type=click.IntRange(1), help="Members at a time [number of CPUs].")
 @click.option("--only", multiple=True, metavar="MEMBER", help="This member alone; may be repeated.")
+@click.option("--resume", is_flag=True, help="Analyse only what an unfinished run has not yet.")
+@click.option(
+    "--parquet",
+    type=click.Path(path_type=Path),
+    metavar="FOLDER",
+    help="Write summary and long tables there as Parquet [beside the results if there are over 2,000 rows].",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print the summary rows to stdout as JSON.")
-def run(workbook: Path, output: Path | None, jobs: int | None, only: Sequence[str], as_json: bool) -> int:
-    """Analyse the members of WORKBOOK and write a results workbook beside it."""
-    from ptbatch.batch import run_workbook
+def run(
+    workbook: Path,
+    output: Path | None,
+    jobs: int | None,
+    only: Sequence[str],
+    resume: bool,
+    parquet: Path | None,
+    as_json: bool,
+) -> int:
+    """Analyse the members of WORKBOOK and write a results workbook beside it.
 
+    WORKBOOK is an .xlsx workbook, or one table of members as .csv (UTF-8) or .parquet.
+
+    Each row that is done is kept in a journal beside the results until these are complete. After a kill, or
+    Ctrl-C, the same command with --resume takes from it what has not changed: member, settings, program.
+    """
+    from ptbatch.batch import results_path, run_workbook
+    from ptbatch.closing import closing_table
+    from ptbatch.interrupt import interruptible
+
+    _say(*_about_journal(output or results_path(workbook), resume))
+    jobs = jobs or os.cpu_count() or 1
     try:
-        batch = run_workbook(workbook, output, jobs or os.cpu_count() or 1, only, _progress())
+        with interruptible() as stop:
+            batch = run_workbook(
+                *(workbook, output, jobs, only, _progress()), resume=resume, parquet=parquet, stop=stop
+            )
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
     if as_json:
         from ptbatch.workbook.results import summary_records
 
         _print_json(summary_records(batch.headers, batch.lines))
-    _say(*_closing_table(batch))
+    _say(*closing_table(batch))
+    if batch.interrupted:
+        return INTERRUPTED
     return INVALID_ROWS if batch.failed else OK
 
 
@@ -66,10 +95,14 @@ def run(workbook: Path, output: Path | None, jobs: int | None, only: Sequence[st
 def check(workbook: Path) -> int:
     """Validate WORKBOOK without analysing it; every problem is printed with its cell and its cure."""
     from ptbatch.workbook.inputs import read_inputs
+    from ptbatch.workbook.problems import Listed
 
     inputs = read_inputs(workbook)
-    invalid = sum(row.member is None for row in inputs.rows)
-    _say(*map(str, inputs.all_problems()))
+    listed, invalid = Listed(), 0
+    _say(*map(str, listed.new(inputs.problems)))
+    for row in inputs.rows:
+        _say(*map(str, listed.new(row.problems)))
+        invalid += row.member is None
     _say(f"{len(inputs.rows)} rows: {len(inputs.rows) - invalid} valid, {invalid} invalid")
     return INVALID_ROWS if invalid else OK
 
@@ -162,7 +195,11 @@ def plot(
 
 def main(args: Sequence[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code."""
-    sys.exit(exit_code(args))
+    code = exit_code(args)
+    if code == INTERRUPTED:  # at once: leaving in the usual way would wait for the rows in flight
+        sys.stdout.flush()
+        os._exit(code)
+    sys.exit(code)
 
 
 def exit_code(args: Sequence[str] | None = None) -> int:
@@ -204,35 +241,25 @@ def _progress() -> "Progress | None":
     return show
 
 
-def _print_json(records: Sequence[dict[str, Any]]) -> None:
+def _about_journal(results: Path, resume: bool) -> Iterator[str]:
+    """What is unexpected about the journal of an unfinished run: that there is one, or none."""
+    from ptbatch.journal.journal import journal_path
+
+    path = journal_path(results)
+    if resume and not path.exists():
+        yield f"there is no journal {path} of an unfinished run: every row is analysed"
+    if path.exists() and not resume:
+        yield f"{path} is the journal of an unfinished run: --resume would go on from it"
+
+
+def _print_json(records: Iterable[dict[str, Any]]) -> None:
+    """A list of records, written one by one."""
     import json
+    from textwrap import indent
 
-    click.echo(json.dumps(records, indent=2, ensure_ascii=False, allow_nan=False, default=str))
-
-
-def _closing_table(batch: "Batch") -> list[str]:
-    """Member, status, peak load and how it ended; rows that did not pass first."""
-    names = ("member", "status", "load_peak [kN]", "failure", "message")
-    columns = [batch.headers.index(name) for name in names]
-    by_concern = sorted(batch.lines, key=lambda line: line[1] in PASSED)
-    rows = [_closing_row(*(line[i] for i in columns)) for line in by_concern[:SHOWN_ROWS]]
-    table = [("member", "status", "peak [kN]", "end"), *rows]
-    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-    lines = ["  ".join(text.ljust(w) for text, w in zip(row, widths, strict=True)).rstrip() for row in table]
-    if len(batch.lines) > SHOWN_ROWS:
-        lines.append(f"... and {len(batch.lines) - SHOWN_ROWS} more rows")
-    if batch.path != batch.wanted:
-        lines.append(f"{batch.wanted} is in use and could not be replaced")
-    counts = ", ".join(f"{count} {status}" for status, count in batch.counts.items() if count)
-    return [*lines, f"{counts}; results: {batch.path}"]
-
-
-def _closing_row(member: str, status: str, peak: Any, failure: Any, message: str) -> tuple[str, ...]:
-    """A row that did not pass has no peak, and its message says why."""
-    passed = status in PASSED
-    end = "; ".join(str(text) for text in (failure if passed else "", message) if text)
-    return _short(member, 30), status, f"{peak:9.1f}" if passed else "-".rjust(9), _short(end, 100)
-
-
-def _short(text: str, most: int) -> str:
-    return text if len(text) <= most else text[: most - 3] + "..."
+    between = "[\n"
+    for record in records:
+        text = json.dumps(record, indent=2, ensure_ascii=False, allow_nan=False, default=str)
+        click.echo(between + indent(text, "  "), nl=False)
+        between = ",\n"
+    click.echo("[]" if between == "[\n" else "\n]")

@@ -1,36 +1,70 @@
-"""Members to outcomes, on threads: the kernels let go of the interpreter, each row stands for itself."""
+"""Members to outcomes, on threads: the kernels let go of the interpreter, each row stands for itself.
 
-from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+A run needs one callable, `Outcomes`: it takes members one by one, as they are read, and gives their outcomes
+in the same order. Threads of this process are one, a cluster may be another.
+"""
+
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from threading import Event
 from time import perf_counter
 from typing import Any
 
 from ptbatch.member import Member
-from ptbatch.workbook.results import CRACKS, CURVES, SUMMARY, TENDON, Outcome
+from ptbatch.workbook.results import CRACKS, CURVES, NOT_ANALYSED, SUMMARY, TENDON, Outcome
 
-Progress = Callable[[int, int, str], None]  # rows done, rows in all, the member just finished
-NOT_ANALYSED = "not analysed: internal error"
+Outcomes = Callable[[Iterable[Member]], Iterator[Outcome]]
+AHEAD = 32  # members taken in advance, a worker: a slow one shall not let the others wait
+POLL = 0.5  # s; on Windows a wait without end does not hear Ctrl-C
+
+CRASHED = f"{NOT_ANALYSED}: internal error"
+STOPPED = f"{NOT_ANALYSED}: interrupted"
 
 
-def run_members(members: Sequence[Member], jobs: int = 1, progress: Progress | None = None) -> list[Outcome]:
-    """Outcomes in the order of the members. An exception in one row stays in that row."""
-    if not members:
-        return []
-    run = _engine()
-    with ThreadPoolExecutor(max_workers=jobs) as pool:
-        futures = {pool.submit(run, member): member for member in members}
+def on_threads(jobs: int, stop: Event | None = None) -> Outcomes:
+    """Outcomes from so many threads. After `stop` is set, members that have not begun are not analysed."""
+
+    def outcomes(members: Iterable[Member]) -> Iterator[Outcome]:
+        pool = ThreadPoolExecutor(max_workers=jobs)
         try:
-            for done, future in enumerate(as_completed(futures), 1):
-                if progress:
-                    progress(done, len(members), futures[future].member)
-        except BaseException:
+            yield from _in_order(pool, members, jobs * AHEAD, stop or Event())
+        finally:
             pool.shutdown(wait=False, cancel_futures=True)
-            raise
-        return [future.result() for future in futures]
+
+    return outcomes
 
 
-def _engine() -> Callable[[Member], Outcome]:
-    """The analysis of one member; what it needs is imported here, before any thread starts."""
+def _in_order(
+    pool: ThreadPoolExecutor, members: Iterable[Member], ahead: int, stop: Event
+) -> Iterator[Outcome]:
+    """Outcomes in the order of the members, of which at most so many are taken ahead."""
+    analyse: Callable[[Member], Outcome] | None = None
+    queue: deque[Future[Outcome]] = deque()
+    for member in members:
+        analyse = analyse or engine()
+        queue.append(pool.submit(_unless_stopped, analyse, member, stop))
+        while queue and (queue[0].done() or len(queue) >= ahead):
+            yield _result(queue.popleft())
+    while queue:
+        yield _result(queue.popleft())
+
+
+def _unless_stopped(analyse: Callable[[Member], Outcome], member: Member, stop: Event) -> Outcome:
+    return not_analysed(STOPPED) if stop.is_set() else analyse(member)
+
+
+def _result(future: Future[Outcome]) -> Outcome:
+    while not wait([future], POLL).done:
+        pass
+    return future.result()
+
+
+def engine() -> Callable[[Member], Outcome]:
+    """The analysis of one member, which raises nothing: an exception in one row stays in that row.
+
+    What it needs is imported here, before any thread starts.
+    """
     from ptbatch.analysis import analyse
     from ptbatch.tables import crack_rows, curve_rows, summary_row, tendon_rows
 
@@ -53,10 +87,15 @@ def _engine() -> Callable[[Member], Outcome]:
     return run
 
 
+def not_analysed(why: str, status: str = NOT_ANALYSED, message: str = "") -> Outcome:
+    """Outcome of a member of which there are no results."""
+    return Outcome(status, message or why, dict.fromkeys(SUMMARY, why))
+
+
 def _checked(row: Mapping[str, Any], headers: Sequence[str]) -> dict[str, Any]:
     return {header: row[header] for header in headers if header != "member"}
 
 
 def _crashed(error: Exception) -> Outcome:
     message = f"internal error: {type(error).__name__}: {error}; please report it, with this row"
-    return Outcome("not converged", message, dict.fromkeys(SUMMARY, NOT_ANALYSED))
+    return not_analysed(CRASHED, "not converged", message)

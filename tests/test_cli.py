@@ -59,7 +59,7 @@ def test_usage(args, capsys):
 
 
 def test_internal_error(book, beam, engine, monkeypatch, capsys):
-    monkeypatch.setattr("ptbatch.batch.write_workbook", lambda *_: 1 / 0)
+    monkeypatch.setattr("ptbatch.batch.Output.finish", lambda *_: 1 / 0)
     assert exit_code(["run", str(book(beam))]) == 70
     assert "Internal error, please report it: ZeroDivisionError" in capsys.readouterr().err
 

@@ -5,7 +5,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ptbatch.compare.entry import FAIL, NOT_REPRODUCIBLE, PASS, Line, Value
-from ptbatch.workbook.write import Sheet, sayable
+from ptbatch.workbook.page import sayable
+from ptbatch.workbook.write import Sheet
 
 HEADERS = (
     *("case", "member", "quantity", "ours", "theirs", "unit", "ratio", "tolerance", "verdict", "because"),

@@ -20,18 +20,29 @@ EITHER = "force or line load"
 QUANTITIES = {"point": "force", "uniform": "line load"}  # of a load by its type
 
 
+TABLES: Mapping[str, Sequence[Column]] = {"members": ECHOED} | OPTIONAL_SHEETS
+
+
 def echo(members: Iterable[Member]) -> Iterator[Sheet]:
     """Sheet `members`, and of `profile`, `rebar` and `loads` those that a member uses."""
     members = list(members)
-    yield Sheet("members", list(map(_header, ECHOED)), [_line(ECHOED, vars(member)) for member in members])
-    for name, columns in OPTIONAL_SHEETS.items():
-        rows = [
-            _line(columns, {"member": member.member} | item._asdict())
-            for member in members
-            for item in getattr(member, BUILDERS[name][0])
-        ]
-        if rows:
-            yield Sheet(name, list(map(_header, columns)), rows)
+    for name in TABLES:
+        rows = [line for member in members for line in echo_lines(name, member)]
+        if rows or name == "members":
+            yield Sheet(name, echo_headers(name), rows)
+
+
+def echo_headers(name: str) -> list[str]:
+    """Headers of a sheet, with SI units."""
+    return list(map(_header, TABLES[name]))
+
+
+def echo_lines(name: str, member: Member) -> list[list[Any]]:
+    """Lines of a member in a sheet."""
+    if name == "members":
+        return [_line(ECHOED, vars(member))]
+    items = getattr(member, BUILDERS[name][0])
+    return [_line(TABLES[name], {"member": member.member} | item._asdict()) for item in items]
 
 
 def _header(column: Column) -> str:

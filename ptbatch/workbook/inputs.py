@@ -1,103 +1,140 @@
-"""A whole workbook: its rows as members or problems."""
+"""A whole table of members, from a workbook, a CSV or a Parquet file: its rows as members or problems."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from hashlib import file_digest
 from pathlib import Path
+from typing import NamedTuple
 
-from ptbatch.errors import ReadError, UnknownMemberError
-from ptbatch.validation import closest, likely
+from ptbatch.errors import PtbatchError, ReadError, UnknownMemberError
+from ptbatch.validation import likely
+from ptbatch.workbook import columnar, delimited
 from ptbatch.workbook.cells import CellError, parse_text
 from ptbatch.workbook.columns import BY_NAME, MEMBERS
 from ptbatch.workbook.joined import join
+from ptbatch.workbook.lazy import Rows
 from ptbatch.workbook.optional import OPTIONAL_SHEETS
-from ptbatch.workbook.problems import Problem
+from ptbatch.workbook.problems import Listed, Problem
 from ptbatch.workbook.read import RawSheet, read_sheets
 from ptbatch.workbook.rows import Row, RowReader
 from ptbatch.workbook.settings import Settings, read_settings
-from ptbatch.workbook.table import Table, find_header, make_table
-from ptbatch.workbook.units import parse_header
+from ptbatch.workbook.source import MOST_MEMBERS, Source, sheet_source
+from ptbatch.workbook.table import Table, make_table
 
 MAIN = "members"
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """Rows of a workbook in their order; problems that concern no single row; what `run` records."""
+    """Rows of a table in their order, read anew whenever they are walked through; problems that concern no
+    single row; what `run` records."""
 
     path: Path
     sha256: str
-    rows: list[Row]
+    rows: Sequence[Row]
     problems: list[Problem]
     settings: Settings
     extra_headers: list[str]
 
-    def all_problems(self) -> list[Problem]:
+    def walk_problems(self) -> Iterator[Problem]:
         """Every problem once, those of the workbook first."""
-        return list(dict.fromkeys([*self.problems, *(p for row in self.rows for p in row.problems)]))
+        listed = Listed()
+        yield from listed.new(self.problems)
+        for row in self.rows:
+            yield from listed.new(row.problems)
+
+    def all_problems(self) -> list[Problem]:
+        """The same as a list."""
+        return list(self.walk_problems())
 
     def only(self, names: Iterable[str]) -> "Inputs":
         """The same with these members alone. Raises UnknownMemberError."""
-        wanted, there = set(names), [row.name for row in self.rows]
-        for name in sorted(wanted.difference(there)):
+        wanted = set(names)
+        rows = [row for row in self.rows if row.name in wanted]
+        for name in sorted(wanted.difference(row.name for row in rows)):
+            there = [row.name for row in self.rows]
             raise UnknownMemberError(f"there is no member {name}; {likely(name, there)}")
-        return replace(self, rows=[row for row in self.rows if row.name in wanted])
+        return replace(self, rows=rows)
 
 
 def read_inputs(path: Path) -> Inputs:
-    """Read and validate a workbook. Raises ReadError where there is nothing to validate."""
+    """Read and validate a table of members. Raises ReadError where there is nothing to validate."""
+    for suffixes, source in _TABLES.items():
+        if path.suffix.lower() in suffixes:
+            with _naming(path):
+                return _inputs(path, source(path), {}, Settings())
     return make_inputs(path, read_sheets(path, MAIN, [*OPTIONAL_SHEETS, "settings"]))
 
 
-def make_inputs(path: Path, sheets: dict[str, RawSheet]) -> Inputs:
+_TABLES = {delimited.SUFFIXES: delimited.csv_source, columnar.SUFFIXES: columnar.parquet_source}
+
+
+def make_inputs(path: Path, sheets: Mapping[str, RawSheet]) -> Inputs:
     """Validate the raw sheets of a workbook. Raises ReadError where there is nothing to validate."""
     settings = read_settings(sheets.get("settings"))
-    table = _members(path, sheets[MAIN], settings)
-    names = _rows_by_name(table)
+    optional = {
+        name: sheets[name]
+        for name in OPTIONAL_SHEETS
+        if name in sheets and sheets[name].name != sheets[MAIN].name
+    }
+    with _naming(path):
+        return _inputs(path, sheet_source(sheets[MAIN]), optional, settings)
+
+
+@contextmanager
+def _naming(path: Path) -> Iterator[None]:
+    """Whatever makes a file unreadable becomes a ReadError that names it."""
+    try:
+        yield
+    except ReadError as error:
+        raise ReadError(f"{path}: {error}") from error
+    except PtbatchError:
+        raise
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror or error}") from error
+
+
+def _inputs(path: Path, source: Source, optional: Mapping[str, RawSheet], settings: Settings) -> Inputs:
+    table = make_table(source.head, source.header_row, MEMBERS, settings.system)
+    names = _names(table, source)
+    if not names.rows:
+        raise ReadError(f"sheet {table.sheet} has no rows below its headers; add one per member")
     joined = {
-        sheet: join(sheet, sheets[sheet], settings.system, set(names) - {""})
-        for sheet in OPTIONAL_SHEETS
-        if sheet in sheets and sheets[sheet].name != sheets[MAIN].name
+        sheet: join(sheet, raw, settings.system, set(names.first) - {""}) for sheet, raw in optional.items()
     }
     attached = {sheet: rows.by_member for sheet, rows in joined.items()}
     errors = [problem for problem in settings.problems if not problem.warning]
-    reader = RowReader(table, settings.defaults, attached, names, errors)
+    reader = RowReader(table, settings.defaults, attached, names.repeated, errors)
     problems = [*settings.problems, *table.problems, *(p for rows in joined.values() for p in rows.problems)]
     with path.open("rb") as file:
         digest = file_digest(file, "sha256").hexdigest()
-    rows = [reader.read(number) for number in table.rows]
+    rows = Rows(reader, source.blocks, names.rows)
     return Inputs(path, digest, rows, problems, settings, list(table.others.values()))
 
 
-def _members(path: Path, raw: RawSheet, settings: Settings) -> Table:
-    header = find_header(raw, "member")
-    if header is None:
-        raise ReadError(f"{path}: {_no_header(raw)}")
-    table = make_table(raw, header, MEMBERS, settings.system)
-    if not table.rows:
-        raise ReadError(f"{path}: sheet {raw.name} has no rows below its headers; add one per member")
-    return table
+class _Names(NamedTuple):
+    """How many rows there are, the first of each name, and all rows of names that are not unique."""
+
+    rows: int
+    first: dict[str, int]
+    repeated: dict[str, list[int]]
 
 
-def _no_header(raw: RawSheet) -> str:
-    """Why a sheet is no table of members."""
-    if not raw.rows:
-        return f"sheet {raw.name} is empty; `ptbatch template FILE` writes a workbook to start from"
-    names = [parse_header(str(value)).name for value in next(iter(raw.rows.values())).values()]
-    known = {name.casefold() for name in BY_NAME}
-    strange = [name for name in names if name.casefold() not in known]
-    close = next((name for name in strange if closest(name, ["member"])), None)
-    cure = (
-        f"did you mean member where it says {close}?" if close else "put the members on a sheet named members"
-    )
-    return f"sheet {raw.name} has no column member; {cure}"
-
-
-def _rows_by_name(table: Table) -> dict[str, list[int]]:
-    names: dict[str, list[int]] = {}
-    for number in table.rows:
-        names.setdefault(_name(table, number), []).append(number)
-    return names
+def _names(table: Table, source: Source) -> _Names:
+    first: dict[str, int] = {}
+    repeated: dict[str, list[int]] = {}
+    count = 0
+    for block in source.blocks():
+        part = replace(table, rows=block)
+        for number in block:
+            name = _name(part, number)
+            if first.setdefault(name, number) != number:
+                repeated.setdefault(name, [first[name]]).append(number)
+        count += len(block)
+        if count > MOST_MEMBERS:
+            raise ReadError(f"there are more than {MOST_MEMBERS} rows; split the file")
+    return _Names(count, first, repeated)
 
 
 def _name(table: Table, number: int) -> str:

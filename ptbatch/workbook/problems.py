@@ -1,5 +1,6 @@
 """What is reported to the user, with its place in the workbook."""
 
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 
@@ -37,3 +38,21 @@ def message(problems: list[Problem]) -> str:
     first = problems[0]
     more = f" (and {len(problems) - 1} more, see the sheet problems)" if len(problems) > 1 else ""
     return f"{first.place.column} in {first.place.sheet}!{first.place.cell}: {first.wrong}{more}"
+
+
+class Listed:
+    """Remembers which problems were listed: one of a header or a setting turns up again with every row.
+
+    Of each problem its hash alone is kept, so that this stays small beside a long table.
+    """
+
+    def __init__(self) -> None:
+        self._hashes: set[int] = set()
+
+    def new(self, problems: Iterable[Problem]) -> Iterator[Problem]:
+        """Those that were not listed before."""
+        for problem in problems:
+            before = len(self._hashes)
+            self._hashes.add(hash(problem))
+            if len(self._hashes) > before:
+                yield problem

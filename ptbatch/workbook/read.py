@@ -19,6 +19,7 @@ LAST_ROW = 1_048_576  # of Excel
 
 T = TypeVar("T")
 Formulas = dict[tuple[int, int], str]
+Block = dict[int, dict[int, Any]]  # filled cells by row and column number
 
 
 class UnsavedFormula(NamedTuple):
@@ -30,17 +31,22 @@ class UnsavedFormula(NamedTuple):
         return self.text
 
 
-@dataclass(frozen=True)
-class RawSheet:
-    """Cells that hold something, by row and column number (both from 1)."""
-
-    name: str
-    rows: dict[int, dict[int, Any]]
-
-
 def address(row: int, column: int) -> str:
     """`F7`."""
     return f"{get_column_letter(column)}{row}"
+
+
+@dataclass(frozen=True)
+class RawSheet:
+    """Cells that hold something, by row and column number (both from 1).
+
+    cell: how users name a place. width: number of headers where a row with more cells is a mistake.
+    """
+
+    name: str
+    rows: Block
+    cell: Callable[[int, int], str] = address
+    width: int | None = None
 
 
 def read_sheets(
@@ -110,8 +116,8 @@ def _formulas(file: BinaryIO, names: set[str]) -> dict[str, Formulas]:
     }
 
 
-def _rows(sheet: Any, formulas: Formulas, most: int) -> dict[int, dict[int, Any]]:
-    rows: dict[int, dict[int, Any]] = {}
+def _rows(sheet: Any, formulas: Formulas, most: int) -> Block:
+    rows: Block = {}
     for number, cells in _walk(sheet):
         values = {c: _value(cell, formulas.get((number, c))) for c, cell in enumerate(cells, 1)}
         filled = {c: value for c, value in values.items() if value is not None}
@@ -122,7 +128,7 @@ def _rows(sheet: Any, formulas: Formulas, most: int) -> dict[int, dict[int, Any]
             raise ReadError(f"sheet {sheet.title}: cell {far} lies beyond column {MAX_COLUMNS}; clear it")
         rows[number] = filled
         if len(rows) > most:
-            raise ReadError(f"sheet {sheet.title} has more than {most} rows; split the workbook")
+            raise ReadError(f"sheet {sheet.title} has more than {most} rows; save it as CSV or Parquet")
     return rows
 
 

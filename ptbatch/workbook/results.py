@@ -1,13 +1,12 @@
 """The sheets of a results workbook, their columns exactly as offices rely on them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ptbatch.workbook.echo import echo
 from ptbatch.workbook.inputs import Inputs
+from ptbatch.workbook.page import sayable
 from ptbatch.workbook.rows import Row
-from ptbatch.workbook.write import Sheet, sayable
 
 HEAD = ("member", "status", "message")
 SUMMARY = (
@@ -54,8 +53,10 @@ CURVES = (
     "event",
 )
 CRACKS = ("member", "stage", "step", "x [mm]", "crack_from [mm]", "crack_to [mm]")
+DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS}  # tables of many rows a member
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
+NOT_ANALYSED = "not analysed"
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,11 @@ class Outcome:
     tendon: Sequence[Mapping[str, Any]] = ()
     curves: Sequence[Mapping[str, Any]] = ()
     cracks: Sequence[Mapping[str, Any]] = ()
+
+    @property
+    def analysed(self) -> bool:
+        """Whether these are results: no interruption, no internal error."""
+        return not any(str(value).startswith(NOT_ANALYSED) for value in self.summary.values())
 
 
 def summary_headers(inputs: Inputs) -> list[str]:
@@ -86,30 +92,13 @@ def summary_line(row: Row, outcome: Outcome | None) -> list[Any]:
     return [row.name, status, message, *(outcome.summary[header] for header in SUMMARY), *row.extra]
 
 
-def summary_records(headers: Sequence[str], lines: Sequence[Sequence[Any]]) -> list[dict[str, Any]]:
+def summary_records(headers: Sequence[str], lines: Iterable[Sequence[Any]]) -> Iterator[dict[str, Any]]:
     """The summary for JSON, a dictionary by header for each row."""
-    return [dict(zip(headers, map(sayable, line), strict=True)) for line in lines]
+    return (dict(zip(headers, map(sayable, line), strict=True)) for line in lines)
 
 
-def result_sheets(
-    inputs: Inputs,
-    lines: Sequence[Sequence[Any]],
-    outcomes: Sequence[Outcome | None],
-    run: Mapping[str, Any],
-) -> Iterator[Sheet]:
-    """All sheets of a results workbook, in their order."""
-    yield Sheet("summary", summary_headers(inputs), lines)
-    yield Sheet("tendon", TENDON, _rows(inputs, outcomes, "tendon", TENDON))
-    yield Sheet("curves", CURVES, _rows(inputs, outcomes, "curves", CURVES))
-    yield Sheet("cracks", CRACKS, _rows(inputs, outcomes, "cracks", CRACKS))
-    yield Sheet("problems", PROBLEMS, [problem.row() for problem in inputs.all_problems()])
-    yield from echo(row.member for row in inputs.rows if row.member is not None)
-    yield Sheet("run", ("name", "value"), list(run.items()))
-
-
-def _rows(
-    inputs: Inputs, outcomes: Sequence[Outcome | None], table: str, headers: Sequence[str]
-) -> Iterator[list[Any]]:
-    for row, outcome in zip(inputs.rows, outcomes, strict=True):
-        for line in getattr(outcome, table, ()):
-            yield [row.name, *(line[header] for header in headers[1:])]
+def detail_lines(row: Row, outcome: Outcome | None, table: str) -> Iterator[list[Any]]:
+    """Lines of one of the DETAILS."""
+    headers = DETAILS[table]
+    for line in getattr(outcome, table, ()):
+        yield [row.name, *(line[header] for header in headers[1:])]

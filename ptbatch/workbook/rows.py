@@ -2,7 +2,8 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 from typing import Any
 
 from ptbatch.member import Member, MemberError
@@ -11,6 +12,7 @@ from ptbatch.validation import member_faults
 from ptbatch.workbook.columns import BY_NAME
 from ptbatch.workbook.joined import BUILDERS, Attached
 from ptbatch.workbook.problems import Place, Problem, message
+from ptbatch.workbook.read import Block
 from ptbatch.workbook.settings import Setting
 from ptbatch.workbook.table import Table
 
@@ -41,18 +43,28 @@ class Row:
 
 
 class RowReader:
-    """Reads the rows of one workbook. attached: rows of the optional sheets by sheet name, then by member."""
+    """Reads the rows of one workbook.
+
+    attached: rows of the optional sheets by sheet name, then by member. repeated: rows that share a name.
+    """
 
     def __init__(
         self,
         table: Table,
         defaults: Mapping[str, Setting],
         attached: Mapping[str, Mapping[str, Attached]],
-        names: Mapping[str, list[int]],
+        repeated: Mapping[str, list[int]],
         errors: list[Problem],
     ) -> None:
-        self.table, self.defaults, self.attached, self.names = table, defaults, attached, names
+        self.table, self.defaults, self.attached = table, defaults, attached
+        self.repeated = repeated
         self.errors = errors + table.errors()
+
+    def over(self, block: Block) -> "RowReader":
+        """The same for a part of the table."""
+        reader = copy(self)
+        reader.table = replace(self.table, rows=block)
+        return reader
 
     def read(self, number: int) -> Row:
         """Member or problems of one row."""
@@ -71,7 +83,7 @@ class RowReader:
         return Row(number, name or f"(row {number})", member, problems, extra, values)
 
     def _duplicates(self, number: int, name: str) -> list[Problem]:
-        others = [other for other in self.names.get(name, []) if other != number]
+        others = [other for other in self.repeated.get(name, []) if other != number]
         if not others or not name:
             return []
         place = self.table.place(number, "member")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ptbatch.errors import ReadError, UnknownMemberError
 from ptbatch.member import Member
 from ptbatch.validation import likely
+from ptbatch.workbook.filed import folder_in, rows_of, sheet_of
 from ptbatch.workbook.inputs import MAIN, make_inputs
 from ptbatch.workbook.optional import OPTIONAL_SHEETS
 from ptbatch.workbook.read import RawSheet, guarded, open_book
@@ -67,9 +68,9 @@ def number(value: Any) -> float:
 
 def read_stored(path: Path, names: Sequence[str]) -> list[Stored]:
     """Results of the named members, in that order. Raises ReadError, UnknownMemberError."""
-    summary, tables, raw = guarded(path, lambda file: _read(file, set(names)), BOUNDS)
+    summary, tables, raw = guarded(path, lambda file: _read(file, path, set(names)), BOUNDS)
     for name in names:
-        if name not in summary:
+        if not summary.get(name):
             raise UnknownMemberError(f"there is no member {name}; {likely(name, summary)}")
     members = _members(path, raw)
     return [
@@ -83,15 +84,20 @@ def read_stored(path: Path, names: Sequence[str]) -> list[Stored]:
 
 
 def _read(
-    file: BinaryIO, wanted: set[str]
+    file: BinaryIO, path: Path, wanted: set[str]
 ) -> tuple[dict[str, Row], dict[str, list[Row]], dict[str, RawSheet]]:
-    """All rows of the summary by member; rows of the wanted members of the other sheets, as read and raw."""
+    """Rows of the wanted members: of the summary by name (empty for the others), of the other tables as read
+    and raw."""
     book = open_book(file)
     if "summary" not in book.sheetnames:
         raise ReadError("these are no results: there is no sheet summary; --geometry draws an input workbook")
     summary: dict[str, Row] = {}
     for row in _rows(book, "summary"):
-        summary.setdefault(str(row["member"]), row)
+        name = str(row["member"])
+        summary.setdefault(name, row if name in wanted else {})
+    if folder := folder_in(book, path):
+        tables = {name: rows_of(folder, name, wanted) for name in TABLES}
+        return summary, tables, {name: sheet_of(folder, name, wanted) for name in (MAIN, *OPTIONAL_SHEETS)}
     tables = {name: [row for row in _rows(book, name) if row["member"] in wanted] for name in TABLES}
     return summary, tables, {name: _raw(book[name], wanted) for name in _echoed(book)}
 

@@ -1,7 +1,7 @@
 """A raw sheet seen as a table: which column stands where, and in which unit."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +10,7 @@ from ptbatch.workbook.cells import CellError, parse
 from ptbatch.workbook.column import Column, System
 from ptbatch.workbook.columns import NOTE
 from ptbatch.workbook.problems import Place, Problem
-from ptbatch.workbook.read import RawSheet, address
+from ptbatch.workbook.read import Block, RawSheet
 from ptbatch.workbook.units import Header, UnitError, factor, parse_header
 
 HEADER_WITHIN = 30  # rows: a title and some notes may stand above the table
@@ -39,8 +39,10 @@ class Table:
     header_row: int
     found: dict[str, list[Found]]
     others: dict[int, str]
-    rows: dict[int, dict[int, Any]]
+    rows: Block
     problems: list[Problem]
+    cell: Callable[[int, int], str]
+    width: int | None
 
     def at(self, row: int, name: str) -> Found | None:
         """The column of this name that the row fills, or else the first; None if there is none."""
@@ -49,9 +51,9 @@ class Table:
     def place(self, row: int, name: str) -> Place:
         """Place of a value; for a column that the sheet does not have, where its header could be put."""
         if found := self.at(row, name):
-            return Place(self.sheet, address(row, found.index), found.typed)
+            return Place(self.sheet, self.cell(row, found.index), found.typed)
         taken = [found.index for columns in self.found.values() for found in columns]
-        return Place(self.sheet, address(self.header_row, 1 + max([*taken, *self.others])), name)
+        return Place(self.sheet, self.cell(self.header_row, 1 + max([*taken, *self.others])), name)
 
     def raw(self, row: int, name: str) -> Any:
         """Cell as typed; None if it is blank or there is no such column."""
@@ -64,6 +66,8 @@ class Table:
 
     def parse_row(self, row: int) -> tuple[dict[str, Any], list[Problem], set[str]]:
         """Sound values of a row by column, the problems of its other cells, and the names of these."""
+        if self.width is not None and max(self.rows[row]) > self.width:
+            return {}, [self._misfit(row, self.width)], {column.name for column in self.columns}
         values: dict[str, Any] = {}
         problems: list[Problem] = []
         bad: set[str] = set()
@@ -80,12 +84,19 @@ class Table:
                     bad.add(name)
         return values, problems, bad
 
+    def _misfit(self, row: int, width: int) -> Problem:
+        """A row with more cells than there are headers, none of which can be trusted."""
+        last = max(self.rows[row])
+        place = Place(self.sheet, self.cell(row, last), "no header")
+        cure = "put quotes around a cell with separators in it, such as a list, and use a point for decimals"
+        return Problem(place, self.rows[row][last], f"{last} cells below {width} headers", cure)
+
     def _filled(self, row: int, name: str) -> list[Found]:
-        return [found for found in self.found.get(name, []) if found.index in self.rows[row]]
+        return [found for found in self.found.get(name, []) if found.index in self.rows.get(row, ())]
 
     def _value(self, row: int, found: Found, *others: Found) -> Any:
         if others:
-            cells = " and ".join(address(row, other.index) for other in others)
+            cells = " and ".join(self.cell(row, other.index) for other in others)
             raise CellError(f"{found.column.name} is given in {cells} as well", "leave all but one blank")
         return parse(found.column, self.rows[row][found.index], found.factor)
 
@@ -109,7 +120,7 @@ def make_table(raw: RawSheet, header_row: int, columns: Sequence[Column], system
     for i, column in matches.items():
         found.setdefault(column.name, []).append(Found(column, i, typed[i], headers[i].unit, factors[i]))
     others = {index: text for index, text in typed.items() if index not in matches}
-    places = {i: Place(raw.name, address(header_row, i), text) for i, text in typed.items()}
+    places = {i: Place(raw.name, raw.cell(header_row, i), text) for i, text in typed.items()}
     problems = [Problem(places[i], typed[i], *fault) for i, fault in faults.items()]
     problems += [
         _unknown(places[i], headers[i].name, columns)
@@ -117,7 +128,7 @@ def make_table(raw: RawSheet, header_row: int, columns: Sequence[Column], system
         if headers[i].name.casefold() != NOTE.name
     ]
     rows = {number: cells for number, cells in raw.rows.items() if number > header_row}
-    return Table(raw.name, columns, header_row, found, others, rows, problems)
+    return Table(raw.name, columns, header_row, found, others, rows, problems, raw.cell, raw.width)
 
 
 def _match(headers: dict[int, Header], columns: Iterable[Column]) -> dict[int, Column]:

@@ -2,6 +2,7 @@
 
 import re
 import unicodedata
+from functools import lru_cache
 from typing import NamedTuple
 
 IN, FT = 25.4, 304.8  # mm
@@ -66,6 +67,7 @@ def parse_header(text: str) -> Header:
     return Header(match["name"], (match["unit"] or "").strip()) if match else Header(plain(text), "")
 
 
+@lru_cache(1024)
 def factor(quantity: str, unit: str) -> float:
     """Number that turns a value in this unit into N, mm, MPa or radians. Raises UnitError."""
     units = QUANTITIES[quantity]

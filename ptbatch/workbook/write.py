@@ -1,28 +1,18 @@
-"""Writing a new workbook: texts that cannot become formulas, a file that is whole or not there at all."""
+"""Writing a new workbook: a file that is whole or not there at all."""
 
 import os
-from collections.abc import Iterable, Sequence
-from datetime import date, time, timedelta
-from math import isfinite
-from numbers import Integral, Real
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 from zipfile import ZipFile
 
 from openpyxl import Workbook, load_workbook
-from openpyxl.cell import WriteOnlyCell
-from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
-from openpyxl.styles import Alignment, Font
-from openpyxl.utils import get_column_letter
 
 from ptbatch.errors import WriteError
-from ptbatch.workbook.formats import number_format, width
+from ptbatch.workbook.page import Page
 
-LONGEST_TEXT = 32_767  # of an Excel cell
 NAMES_TRIED = 99
-_BOLD = Font(name="Calibri", size=11, bold=True)
-_WRAPPED = Alignment(wrap_text=True, vertical="top")
-_TWO_LINES = 30  # height of a row
 
 
 class Sheet(NamedTuple):
@@ -33,30 +23,72 @@ class Sheet(NamedTuple):
     rows: Iterable[Sequence[Any]]
 
 
-def write_workbook(path: Path, sheets: Iterable[Sheet], replace: bool = True) -> Path:
-    """Write a workbook and return its path: the next free name if the file is there and held open.
+class Book:
+    """A workbook that is written row by row; until it is saved it lies in temporary files."""
 
-    The old file, or the complete new one, is there at any moment. replace=False refuses an existing file.
-    Raises WriteError.
-    """
-    if not replace and path.exists():
-        raise WriteError(f"{path} is there already; give another name or delete it")
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    def __init__(self) -> None:
+        self._book = Workbook(write_only=True)
+
+    @property
+    def names(self) -> list[str]:
+        """Its sheets in their order."""
+        return list(self._book.sheetnames)
+
+    def page(self, name: str, headers: Sequence[str], place: int | None = None) -> Page:
+        """Add a sheet, at the end or before the one that has this place."""
+        return Page(self._book.create_sheet(name, place), headers)
+
+    def save(self, path: Path, replace: bool = True) -> Path:
+        """Save it and return its path: the next free name if the file is there and held open.
+
+        The old file, or the complete new one, is there at any moment. replace=False refuses an existing file.
+        Raises WriteError.
+        """
+        if not replace and path.exists():
+            raise WriteError(f"{path} is there already; give another name or delete it")
+        temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+        with unwritable(path):
+            try:
+                _save(self._book, temporary)
+                return _move(temporary, path)
+            finally:
+                temporary.unlink(missing_ok=True)
+
+    def discard(self) -> None:
+        """Delete the temporary files of a workbook that is not saved, or not saved any more."""
+        for sheet in self._book.worksheets:
+            with suppress(Exception):  # whatever is wrong with it, it is given up
+                if not sheet.closed:
+                    sheet.close()
+                sheet._writer.cleanup()
+
+
+def write_workbook(path: Path, sheets: Iterable[Sheet], replace: bool = True) -> Path:
+    """Write a workbook as `Book.save` does. Raises WriteError."""
+    book = Book()
     try:
-        _save(temporary, sheets)
-        return _move(temporary, path)
+        with unwritable(path):
+            for sheet in sheets:
+                page = book.page(sheet.name, sheet.headers)
+                for row in sheet.rows:
+                    page.add(row)
+        return book.save(path, replace)
+    finally:
+        book.discard()
+
+
+@contextmanager
+def unwritable(path: Path) -> Iterator[None]:
+    """What the disk refuses becomes a WriteError."""
+    try:
+        yield
     except OSError as error:
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
-def _save(path: Path, sheets: Iterable[Sheet]) -> None:
+def _save(book: Any, path: Path) -> None:
     """Write, force to disk, and read back what was written."""
-    book = Workbook(write_only=True)
     with path.open("xb") as file:
-        for sheet in sheets:
-            _fill(book, sheet)
         book.save(file)
         file.flush()
         os.fsync(file.fileno())
@@ -77,45 +109,3 @@ def _move(temporary: Path, path: Path) -> Path:
                 os.replace(temporary, free)
                 return free
         raise
-
-
-def _fill(book: Any, sheet: Sheet) -> None:
-    page = book.create_sheet(sheet.name)
-    page.freeze_panes = "B2"
-    for i, header in enumerate(sheet.headers, 1):
-        page.column_dimensions[get_column_letter(i)].width = width(header)
-    page.row_dimensions[1].height = _TWO_LINES
-    page.append([_header(page, text) for text in sheet.headers])
-    formats = [number_format(header) for header in sheet.headers]
-    for row in sheet.rows:
-        page.append([_cell(page, value, form) for value, form in zip(row, formats, strict=True)])
-
-
-def _header(page: Any, text: str) -> Any:
-    cell = _cell(page, text, "General")
-    cell.font, cell.alignment = _BOLD, _WRAPPED
-    return cell
-
-
-def _cell(page: Any, value: Any, form: str) -> Any:
-    value = sayable(value)
-    cell = WriteOnlyCell(page, value)
-    if isinstance(value, str):
-        cell.data_type = "s"  # also where it begins like a formula
-        cell.quotePrefix = value[:1] in ("=", "+", "-", "@")
-    elif isinstance(value, float):
-        cell.number_format = form
-        cell._value = repr(value)  # openpyxl itself writes 16 digits, which may be one too few
-    return cell
-
-
-def sayable(value: Any) -> Any:
-    """A value as it can stand in a cell or in JSON: finite, not too long, without control characters."""
-    if value is None or isinstance(value, bool | date | time | timedelta):
-        return value
-    if isinstance(value, Integral):
-        return int(value)
-    if isinstance(value, Real):
-        return float(value) if isfinite(value) else "not a finite number"
-    text = ILLEGAL_CHARACTERS_RE.sub("", str(value))
-    return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 4] + " ..."

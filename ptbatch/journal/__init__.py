@@ -1,0 +1,1 @@
+"""What was analysed already, on disk beside the results, so that a run can be resumed."""

@@ -1,0 +1,26 @@
+"""What the columns of the tables hold where each column holds one kind of value."""
+
+from collections.abc import Sequence
+
+from ptbatch.workbook.echo import TABLES as ECHO
+from ptbatch.workbook.parquet import Fields
+from ptbatch.workbook.results import DETAILS, HEAD, SUMMARY
+
+_TEXTS = {*HEAD, "failure", "stage", "event"}
+_COUNTS = {"step", "newton_iterations"}
+_OF_KIND = {"number": float, "integer": int}
+
+
+def fields(table: str, headers: Sequence[str]) -> Fields:
+    """Types of the columns of `summary`, `tendon`, `curves`, `cracks` or the echo of the input, by header."""
+    if table in ECHO:
+        kinds = [_OF_KIND.get(column.kind, str) for column in ECHO[table]]
+        return dict(zip(headers, kinds, strict=True))
+    own = DETAILS.get(table, (*HEAD, *SUMMARY))
+    return {header: _type(header) if header in own else str for header in headers}
+
+
+def _type(header: str) -> type[str] | type[int] | type[float]:
+    if header in _TEXTS:
+        return str
+    return int if header in _COUNTS else float

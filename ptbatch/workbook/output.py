@@ -1,0 +1,125 @@
+"""The tables of a run, filled row by row: sheets of a workbook, the long ones Parquet files if there are many
+rows."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
+from pathlib import Path
+from typing import Any, Protocol
+
+from ptbatch.workbook.echo import TABLES as ECHO
+from ptbatch.workbook.echo import echo_headers, echo_lines
+from ptbatch.workbook.fields import fields
+from ptbatch.workbook.inputs import Inputs
+from ptbatch.workbook.page import FullSheetError
+from ptbatch.workbook.parquet import ParquetTable
+from ptbatch.workbook.problems import Listed, Problem
+from ptbatch.workbook.results import DETAILS, PROBLEMS, Outcome, detail_lines, summary_headers
+from ptbatch.workbook.rows import Row
+from ptbatch.workbook.write import Book, unwritable
+
+ORDER = ("summary", *DETAILS, "problems", *ECHO, "run")
+ALWAYS = ("summary", *DETAILS, "problems", "members")
+FILES = ("summary", *DETAILS, *ECHO)  # that Parquet can take
+CURE = "let --parquet FOLDER take the long tables; with --resume nothing is analysed again"
+
+
+class Table(Protocol):
+    """A sheet or a file that takes lines."""
+
+    def add(self, values: Sequence[Any]) -> None:
+        """Add a line."""
+
+
+class Output:
+    """Results of a run on their way to `path`, and to Parquet files in `folder` if there is one.
+
+    With a folder the workbook holds summary, problems and run; the files hold the rest and the summary as
+    well. Raises WriteError.
+    """
+
+    def __init__(self, path: Path, inputs: Inputs, folder: Path | None = None) -> None:
+        self._path, self._folder = path, folder
+        self._headers = {"summary": summary_headers(inputs), "problems": list(PROBLEMS)}
+        self._headers |= {name: list(headers) for name, headers in DETAILS.items()}
+        self._headers |= {name: echo_headers(name) for name in ECHO}
+        self._book = Book()
+        self._tables: dict[str, list[Table]] = {}
+        self._files: list[ParquetTable] = []
+        self._listed, self._unlisted = Listed(), 0
+        try:
+            self._open(inputs.problems)
+        except BaseException:
+            self.discard()
+            raise
+
+    def _open(self, problems: Sequence[Problem]) -> None:
+        with unwritable(self._folder or self._path):
+            if self._folder:
+                self._folder.mkdir(parents=True, exist_ok=True)
+            for name in ALWAYS:
+                self._tables[name] = list(self._opened(name))
+            self._add_problems(problems)
+
+    def add(self, row: Row, line: Sequence[Any], outcome: Outcome | None) -> None:
+        """Add a row of the input: its line of the summary, and its outcome (None where it is invalid)."""
+        with unwritable(self._folder or self._path):
+            self._lines("summary", [line])
+            for name in DETAILS:
+                self._lines(name, detail_lines(row, outcome, name))
+            self._add_problems(row.problems)
+            if row.member:
+                for name in ECHO:
+                    self._lines(name, echo_lines(name, row.member))
+
+    def finish(self, run: Mapping[str, Any]) -> Path:
+        """Write what is known of the run, and put everything in its place; the path of the workbook."""
+        with unwritable(self._folder or self._path):
+            page = self._book.page("run", ("name", "value"))
+            unlisted = {"problems beyond the sheet": self._unlisted} if self._unlisted else {}
+            for item in chain(run.items(), unlisted.items()):
+                page.add(item)
+            for file in self._files:
+                file.finish()
+            if self._folder:
+                for name in FILES:
+                    if name not in self._tables:  # nobody uses it: one of an earlier run would mislead
+                        (self._folder / f"{name}.parquet").unlink(missing_ok=True)
+        return self._book.save(self._path)
+
+    def discard(self) -> None:
+        """Delete what is not in its place."""
+        self._book.discard()
+        for file in self._files:
+            file.discard()
+
+    def _opened(self, name: str) -> Iterator[Table]:
+        """Where a table goes."""
+        filed = self._folder is not None and name in FILES
+        if not filed or name == "summary":
+            place = sum(ORDER.index(other) < ORDER.index(name) for other in self._book.names)
+            yield self._book.page(name, self._headers[name], place)
+        if filed:
+            assert self._folder is not None
+            reasons = name == "summary"
+            file = ParquetTable(self._folder / f"{name}.parquet", fields(name, self._headers[name]), reasons)
+            self._files.append(file)
+            yield file
+
+    def _lines(self, name: str, lines: Iterable[Sequence[Any]]) -> None:
+        for line in lines:
+            if name not in self._tables:
+                self._tables[name] = list(self._opened(name))
+            for table in self._tables[name]:
+                try:
+                    table.add(line)
+                except FullSheetError as error:
+                    raise FullSheetError(f"{error}; {CURE}") from None
+
+    def _add_problems(self, problems: Sequence[Problem]) -> None:
+        """List new problems, up to what the sheet takes."""
+        (page,) = self._tables["problems"]
+        for problem in self._listed.new(problems):
+            try:
+                page.add(problem.row())
+            except FullSheetError:
+                self._unlisted += 1

@@ -1,0 +1,81 @@
+"""A sheet of a new workbook, filled row by row: texts that cannot become formulas, readable headers."""
+
+from collections.abc import Sequence
+from datetime import date, time, timedelta
+from math import isfinite
+from numbers import Integral, Real
+from typing import Any
+
+from openpyxl.cell import WriteOnlyCell
+from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
+from openpyxl.styles import Alignment, Font
+from openpyxl.utils import get_column_letter
+
+from ptbatch.errors import WriteError
+from ptbatch.workbook.formats import number_format, width
+from ptbatch.workbook.read import LAST_ROW
+
+LONGEST_TEXT = 32_767  # of an Excel cell
+_BOLD = Font(name="Calibri", size=11, bold=True)
+_WRAPPED = Alignment(wrap_text=True, vertical="top")
+_TWO_LINES = 30  # height of a row
+
+
+class FullSheetError(WriteError):
+    """A sheet of Excel takes no more rows."""
+
+
+class Page:
+    """A sheet that rows are added to; they go to disk at once. sheet: a write-only one of openpyxl."""
+
+    def __init__(self, sheet: Any, headers: Sequence[str]) -> None:
+        self._sheet = sheet
+        sheet.freeze_panes = "B2"
+        for i, header in enumerate(headers, 1):
+            sheet.column_dimensions[get_column_letter(i)].width = width(header)
+        sheet.row_dimensions[1].height = _TWO_LINES
+        sheet.append([self._header(text) for text in headers])
+        self._formats = [number_format(header) for header in headers]
+        self._rows = 1
+
+    @property
+    def full(self) -> bool:
+        """Whether no more rows go in."""
+        return self._rows >= LAST_ROW
+
+    def add(self, values: Sequence[Any]) -> None:
+        """Add a row. Raises FullSheetError."""
+        if self.full:
+            raise FullSheetError(f"sheet {self._sheet.title} has {LAST_ROW} rows, more than Excel takes")
+        self._rows += 1
+        self._sheet.append(
+            [self._cell(value, form) for value, form in zip(values, self._formats, strict=True)]
+        )
+
+    def _header(self, text: str) -> Any:
+        cell = self._cell(text, "General")
+        cell.font, cell.alignment = _BOLD, _WRAPPED
+        return cell
+
+    def _cell(self, value: Any, form: str) -> Any:
+        value = sayable(value)
+        cell = WriteOnlyCell(self._sheet, value)
+        if isinstance(value, str):
+            cell.data_type = "s"  # also where it begins like a formula
+            cell.quotePrefix = value[:1] in ("=", "+", "-", "@")
+        elif isinstance(value, float):
+            cell.number_format = form
+            cell._value = repr(value)  # openpyxl itself writes 16 digits, which may be one too few
+        return cell
+
+
+def sayable(value: Any) -> Any:
+    """A value as it can stand in a cell or in JSON: finite, not too long, without control characters."""
+    if value is None or isinstance(value, bool | date | time | timedelta):
+        return value
+    if isinstance(value, Integral):
+        return int(value)
+    if isinstance(value, Real):
+        return float(value) if isfinite(value) else "not a finite number"
+    text = ILLEGAL_CHARACTERS_RE.sub("", str(value))
+    return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 4] + " ..."
