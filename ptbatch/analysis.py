@@ -1,35 +1,23 @@
 """The analysis of one member: jacking, wedge set, anchoring, service."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ptbatch import stages
 from ptbatch.core.case import Case, Tolerance
 from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
+from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
-from ptbatch.losses import Losses, analytic_losses, fpj_for_mean
+from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.member import Member
 from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
-from ptbatch.model.duct import TendonStart
 from ptbatch.postprocess import finished, stopped
 from ptbatch.response import Response
+from ptbatch.run import Run
 
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
 BUDGET = 30_000  # iterations of one member at most
-
-
-@dataclass(frozen=True)
-class Run:
-    """One pass through the stages: what it worked on, and the jacking stress with its analytic losses."""
-
-    setup: Setup
-    rig: stages.Rig
-    start: TendonStart
-    losses: Losses
-    fpj: float
 
 
 def analyse(member: Member, *, refine: int = 1) -> Response:
@@ -111,7 +99,7 @@ def mean_stress(run: Run) -> float:
 
 
 def serve(run: Run, refine: int) -> int:
-    """Stage 4; how the live load ended."""
+    """Stage 4; how it ended. A member that fails under its sustained load gets no live load."""
     setup, member = run.setup, run.setup.member
     bonded = bool(member.bond == "bonded")
     dof = 5 * setup.mesh.control + 3
@@ -125,4 +113,6 @@ def serve(run: Run, refine: int) -> int:
     )
     full = setup.self_weight + setup.sustained
     stages.sustain(run.rig, (setup.self_weight, full), bonded)
+    if run.rig.failed:
+        return DONE
     return stages.load_to_failure(run.rig, full, setup.pattern, control, bonded)

@@ -81,8 +81,10 @@ def run_workbook(
 
     only: names of members, all if empty. outcomes: who analyses them, `jobs` threads if None. resume: take
     what an unfinished run of the same output left in its journal. parquet: folder for the long tables; one
-    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed. Raises
-    ReadError, UnknownMemberError, WriteError, MissingArrowError.
+    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed.
+
+    Raises ReadError, UnknownMemberError, WriteError, MissingArrowError; KeyboardInterrupt if `stop` is set
+    before the first row.
     """
     start, started = perf_counter(), datetime.now()
     only, stop = tuple(only), stop or Event()
@@ -90,6 +92,8 @@ def run_workbook(
     inputs = read_inputs(source)
     inputs = inputs.only(only) if only else inputs
     check_target(path, source)
+    if stop.is_set():
+        raise KeyboardInterrupt  # there is nothing yet to be written
     folder = tables_folder(path, len(inputs.rows), parquet)
     with Journal(journal_path(path), resume) as journal, _output(path, inputs, folder) as results:
         pairs = Pairing(inputs.rows, outcomes or on_threads(jobs, stop), journal, stop)

@@ -1,6 +1,6 @@
 """From the record of a run to a Response: tendon states, elongations, curve."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,9 @@ from ptbatch.cracks import cracks_at
 from ptbatch.events import Recorded, Service, find_events, nearest_to_failure
 from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
-from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Response, TendonState
+from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Event, Response, TendonState
+from ptbatch.run import Run
 from ptbatch.statics import node_values, section_moments
-
-if TYPE_CHECKING:
-    from ptbatch.analysis import Run
 
 Array = NDArray[np.float64]
 
@@ -23,13 +21,13 @@ SLIGHT = 1e-3  # of the force: less friction than this along the whole tendon ho
 STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCHORING}
 
 
-def stopped(run: "Run", stage: int, message: str) -> Response:
+def stopped(run: Run, stage: int, message: str) -> Response:
     """Response of a member that found no equilibrium in a stage before the live load: the stages before it,
     and no capacity."""
     return Response(**_common(run, stage), status="not converged", message=f"{message}{_why(run)}")
 
 
-def _why(run: "Run") -> str:
+def _why(run: Run) -> str:
     """What may have stopped a run, from its last step; empty before the first one."""
     history = run.rig.case.history
     last = slice(int(history.rows[0]) - 1, int(history.rows[0]))
@@ -39,7 +37,7 @@ def _why(run: "Run") -> str:
     return f"; {nearest_to_failure(step)}"
 
 
-def finished(run: "Run", ended: int) -> Response:
+def finished(run: Run, ended: int) -> Response:
     """Response of a member that was loaded; ended: how the loading did."""
     complete = ended == DONE
     common = _common(run, stages.LIVE)
@@ -47,6 +45,12 @@ def finished(run: "Run", ended: int) -> Response:
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
     service = Service(run.rig.case.model, history.u[rows], history.T[rows], history.strain[rows], curve)
     events, failure = find_events(service)
+    if failure and (before := _before_live(run, events, failure)):
+        common |= _states(run, rows, common["tendon"])
+        events = tuple(event for event in events if event.name != "peak")
+        return Response(
+            **common, curve=curve, events=events, failure=failure, status="warning", message=before
+        )
     if not complete and not failure:
         last = curve.load[-1]
         if ended != NO_EQUILIBRIUM or last > 0.98 * curve.load.max():
@@ -68,7 +72,17 @@ def finished(run: "Run", ended: int) -> Response:
     )
 
 
-def _common(run: "Run", before: int) -> dict[str, Any]:
+def _before_live(run: Run, events: tuple[Event, ...], failure: str) -> str:
+    """What to say of a member that failed before any live load came on; empty if it did not."""
+    event = next(event for event in events if event.name == failure)
+    loaded = int(np.count_nonzero(run.rig.case.history.stage[_service_rows(run)] == stages.LIVE))
+    if loaded and event.step > len(_service_rows(run)) - loaded - 1:
+        return ""
+    under = "stressing" if event.step == 0.0 else "the sustained load"
+    return f"{failure} at x = {event.place:.0f} mm under {under}: no live load can be carried"
+
+
+def _common(run: Run, before: int) -> dict[str, Any]:
     """What a run has that completed the stages before the given one."""
     history, setup = run.rig.case.history, run.setup
     used = slice(0, int(history.rows[0]))
@@ -94,7 +108,7 @@ def _common(run: "Run", before: int) -> dict[str, Any]:
 
 
 def _states(
-    run: "Run", rows: NDArray[np.int64], tendon: dict[str, TendonState], peak: float | None = None
+    run: Run, rows: NDArray[np.int64], tendon: dict[str, TendonState], peak: float | None = None
 ) -> dict[str, Any]:
     """Tendon and cracks at the peak, a row of the curve with a fraction, if there is one, and at the end if
     that is another row. Cracks are those of the nearest row."""
@@ -108,17 +122,17 @@ def _states(
     return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 
 
-def _last_row(run: "Run", stage: int) -> int:
+def _last_row(run: Run, stage: int) -> int:
     history = run.rig.case.history
     return int(np.flatnonzero(history.stage[: history.rows[0]] == stage)[-1])
 
 
-def _service_rows(run: "Run") -> NDArray[np.int64]:
+def _service_rows(run: Run) -> NDArray[np.int64]:
     """Rows from the anchored state on."""
     return np.arange(_last_row(run, stages.ANCHORING), int(run.rig.case.history.rows[0]))
 
 
-def _tendon_state(run: "Run", row: float) -> TendonState:
+def _tendon_state(run: Run, row: float) -> TendonState:
     """The tendon at a recorded row, or between two."""
     history, line, Aps = run.rig.case.history, run.setup.duct, run.setup.member.Aps
     s, T, anchor = (_between(column, row) for column in (history.s, history.T, history.anchor))
@@ -141,7 +155,7 @@ def _between(rows: Array, row: float) -> Array:
     return rows[low] if share == 0.0 else (1.0 - share) * rows[low] + share * rows[low + 1]
 
 
-def _elongation(run: "Run", row: int) -> float:
+def _elongation(run: Run, row: int) -> float:
     """What is measured at the live jacks: the way of the tendon's ends, and the stretch of the strand that
     has come out on it."""
     history, setup = run.rig.case.history, run.setup
@@ -150,7 +164,7 @@ def _elongation(run: "Run", row: int) -> float:
     return float((out * (1.0 + strain))[list(setup.live)].sum())
 
 
-def _set_length(run: "Run", jacked: int, after: int) -> float:
+def _set_length(run: Run, jacked: int, after: int) -> float:
     """Length that the set moved, from the (left) live end: the tributary lengths of the nodes whose friction
     turned round, and of the last one the part that did.
     """
@@ -182,7 +196,7 @@ def _set_length(run: "Run", jacked: int, after: int) -> float:
     return float((turned * tributary)[: whole + 1].sum())
 
 
-def _curve(run: "Run", rows: NDArray[np.int64], length: Array) -> Curve:
+def _curve(run: Run, rows: NDArray[np.int64], length: Array) -> Curve:
     history, setup = run.rig.case.history, run.setup
     Aps = setup.member.Aps
     factor, u, T = history.factor[rows], history.u[rows], history.T[rows]

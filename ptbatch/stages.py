@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ptbatch.core.case import Case, open_case
 from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
+from ptbatch.core.failure import LIMIT, demands
 from ptbatch.core.follow import Control, follow
 from ptbatch.core.model import ANCHORED, PRESCRIBED, PULLED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, ramp
@@ -53,6 +54,11 @@ class Rig:
     def ends(self) -> tuple[int, ...]:
         """The live ends."""
         return tuple(side for side in (LEFT, RIGHT) if self.live[side])
+
+    @property
+    def failed(self) -> bool:
+        """Whether a material has reached its limit strain in the committed state."""
+        return bool(demands(self.handle, self.case.state.u)[0][LIMIT] >= 1.0)
 
     def gap(self, side: int) -> float:
         """How far the tendon's end stands out of its anchor [mm]."""

@@ -45,7 +45,8 @@ def _capacity(response: Response) -> Row:
     names = ("load_peak [kN]", "load_factor_peak", "deflection_peak [mm]", "moment_peak [kN m]")
     stresses = ("tendon_stress_peak_mean [MPa]", "tendon_stress_peak_max [MPa]")
     if peak is None or at_peak is None or curve is None:
-        return row | dict.fromkeys((*names, *stresses, "failure"), _not_reached(response))
+        none = _not_reached(response)
+        return row | dict.fromkeys((*names, *stresses), none) | {"failure": response.failure or none}
     factor = curve.at(peak.step, curve.factor)
     moment = curve.at(peak.step, np.abs(curve.moment_max)) * np.sign(curve.moment_max[round(peak.step)])
     return row | {
@@ -62,16 +63,18 @@ def _capacity(response: Response) -> Row:
 def _failure(response: Response) -> Row:
     """Where and under how much live load the first material reached its limit strain."""
     names = ("failure_x [mm]", "failure_load [kN]", "failure_deflection [mm]")
-    if response.event("peak") is None:
-        return dict.fromkeys(names, _not_reached(response))
     event = response.event(response.failure)
+    if response.event("peak") is None:
+        none = _not_reached(response)
+        return dict.fromkeys(names, none) | ({names[0]: event.place} if event else {})
     if event is None:
         return dict.fromkeys(names, "no material reached its limit")
     return dict(zip(names, (event.place, event.load / 1e3, event.deflection), strict=True))
 
 
 def _not_reached(response: Response) -> str:
-    return "not converged: see message"
+    """Why a member has no capacity."""
+    return "none: see message" if response.status == "warning" else "not converged: see message"
 
 
 def _or_stage(value: float | None, response: Response) -> Value:

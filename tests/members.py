@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from ptbatch.analysis import Run, prepare, stress
+from ptbatch.analysis import prepare, stress
 from ptbatch.losses import analytic_losses
 from ptbatch.member import Member
 from ptbatch.model.arrays import set_up
+from ptbatch.run import Run
 from ptbatch.stages import jack, sustain
 
 INCH, FOOT, KSI = 25.4, 304.8, 6.894757293168

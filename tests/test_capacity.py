@@ -91,3 +91,14 @@ def test_a_tendon_that_breaks_is_a_failure():
     brittle = Member(**BEAM | {"epu": 0.012, "bond": "bonded", "crushing_strain": 0.01})
     response = analyse(brittle)
     assert response.failure == "tendon rupture"
+
+
+@pytest.mark.parametrize("w_dead", [27, 28, 30])
+def test_a_member_that_fails_under_its_dead_load_says_so_and_has_no_capacity(w_dead):
+    beam = dict(member="B", span=12000, b=300, h=600, fc=40, Aps=592, dp=(300, 500, 300), fpj=1395)
+    response = analyse(Member(**beam | dict(As=600, ds=550, w_live=10, w_dead=w_dead)))
+    row = summary_row(response.member, response)
+    assert response.status == "warning" and row["failure"] == "concrete crushing"
+    assert response.message.endswith("under the sustained load: no live load can be carried")
+    assert row["load_peak [kN]"] == row["load_cracking [kN]"] == "none: see message"
+    assert 4000.0 < row["failure_x [mm]"] < 8000.0

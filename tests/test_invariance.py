@@ -57,7 +57,7 @@ def test_a_member_jacked_from_the_other_side_is_its_mirror_image(values, toleran
     assert (here.status, here.failure) == (there.status, there.failure)
     for stage, tendon in here.tendon.items():
         # what follows the first failure is for information, and no capacity
-        loose = {"peak": tolerance, "end": max(tolerance, 1e-3)}.get(stage, min(tolerance, 1e-7))
+        loose = {"peak": tolerance, "end": max(tolerance, 1e-2)}.get(stage, min(tolerance, 1e-7))
         assert_allclose(there.tendon[stage].stress[::-1], tendon.stress, rtol=loose)
         assert_allclose(there.tendon[stage].anchor_stress[::-1], tendon.anchor_stress, rtol=loose)
         assert_allclose(there.tendon[stage].slip[::-1], -tendon.slip, atol=1e2 * loose)  # mm

@@ -187,12 +187,14 @@ def equilibrate(case, target, factor, way):
     least = np.inf
     improved = 0
     damping = way.damping
+    reused = np.inf  # residual at the last use of a tangent that is not of its place
     for iteration in range(way.most):
         if norm <= NEAR:  # the last step may have arrived: a tangent would be too much for a look
             norm = residual_alone(case, target, factor)
             if norm <= tolerance.residual and increment <= tolerance.increment:
                 return CONVERGED, factor, iteration, norm
-            if norm <= NEARER and damping <= NEARER:  # and where it nearly has, its tangent is good enough
+            if norm <= min(NEARER, 0.1 * reused) and damping <= NEARER:  # nearly: its tangent is good enough
+                reused = norm
                 _, dfactor = step(case, target, False)
                 work.trial[:] += work.du
                 factor += dfactor
@@ -222,6 +224,7 @@ def equilibrate(case, target, factor, way):
         if not solved:
             return SINGULAR, factor, iteration, norm
         damping *= way.decay
+        reused = np.inf
         if way.search != NONE and iteration > 0:  # from equilibrium there is no work to search along
             factor += dfactor * line_search(case, target, factor, dfactor, way.search == FROZEN)
         else:

@@ -80,6 +80,10 @@ class Output:
                 page.add(item)
             for file in self._files:
                 file.finish()
+            if self._folder:
+                for name in FILES:
+                    if name not in self._tables:  # nobody uses it: one of an earlier run would mislead
+                        (self._folder / f"{name}.parquet").unlink(missing_ok=True)
         return self._book.save(self._path)
 
     def discard(self) -> None:

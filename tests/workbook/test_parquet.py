@@ -84,6 +84,14 @@ def test_long_tables_go_to_files(book, beam, engine, tmp_path):
     assert good["failure"] == "1.25"  # a column of texts
 
 
+def test_files_of_an_earlier_run_do_not_stay(book, beam, engine, tmp_path):
+    folder = tmp_path / "files"
+    run_workbook(book(beam, rebar=[{"member": "B1", "depth": 550, "area": 400}]), parquet=folder)
+    assert len(read(folder, "rebar")) == 1
+    run_workbook(book(beam), parquet=folder)
+    assert not (folder / "rebar.parquet").exists()
+
+
 def test_members_in_files_can_be_run_again(book, beam, engine, tmp_path):
     source = book(beam | {"As": "100; 200", "ds": "500; 550", "elements": 8})
     run_workbook(source, parquet=tmp_path / "files")
