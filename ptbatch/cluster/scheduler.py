@@ -112,11 +112,12 @@ class Cluster:
     def _connection(self) -> Iterator[None]:
         """A lost connection as ClusterError."""
         from distributed import CancelledError
-        from distributed.client import ClosedClientError
 
         try:
             yield
-        except (OSError, CancelledError, ClosedClientError) as error:
+        except Exception as error:
+            if self.client.status == "running" and not isinstance(error, OSError | CancelledError):
+                raise
             raise ClusterError(f"the scheduler at {self.address} is gone; start it and run again") from error
 
 
