@@ -11,7 +11,7 @@ import numpy as np
 
 from ptbatch.core.case import Target, driven
 from ptbatch.core.failure import utilisation
-from ptbatch.core.jit import kernel
+from ptbatch.core.jit import inlined, kernel
 from ptbatch.core.model import beam_dof
 from ptbatch.core.newton import CONVERGED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM
@@ -123,7 +123,7 @@ def next_step(trial):
     return trial.step * (1.5 if trial.iterations <= EASY else 1.1 if trial.iterations <= HARD else 0.7)
 
 
-@kernel
+@inlined
 def reach(case, load, drive, step, way, ahead):
     """Try a further `step` from the committed state; ahead: start from the last step, extrapolated."""
     value = driven(case.state.u, drive.dof, drive.other) + drive.sense * step
@@ -135,7 +135,7 @@ def reach(case, load, drive, step, way, ahead):
     return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
 
 
-@kernel
+@inlined
 def approach(case, load, drive, step, way):
     """The first step that finds equilibrium, ever shorter ones being tried."""
     trial = reach(case, load, drive, step, way, True)
@@ -146,7 +146,7 @@ def approach(case, load, drive, step, way):
     return trial
 
 
-@kernel
+@inlined
 def jump(case, load, drive, step, control, left, way):
     """The first longer step that finds equilibrium, across the snap-back of a crack that opens at once."""
     size = 0.5 * control.largest
@@ -158,7 +158,7 @@ def jump(case, load, drive, step, control, left, way):
     return trial
 
 
-@kernel
+@inlined
 def land(case, load, drive, over, way):
     """A shorter step that ends on the limit strain that `over` passed; `over` itself where the response jumps
     across it."""
@@ -174,7 +174,7 @@ def land(case, load, drive, over, way):
     return reach(case, load, drive, last.step, way, last.ahead)  # it converged, so it does again
 
 
-@kernel
+@inlined
 def take(case, stage, load, drive, trial, way):
     """Accept a trial, the first one beyond a limit strain on that strain; returns what was accepted and how
     far the load has come."""
@@ -191,7 +191,7 @@ def take(case, stage, load, drive, trial, way):
     return trial, Way(trial.factor, most, trial.step, trial.demand, failed, allowed)
 
 
-@kernel
+@inlined
 def turn_hinge(case, stage, load, control, way):
     """Let the element that turns fastest drive the load until the deflection grows beyond where it was."""
     furthest = deflection(case, control)
