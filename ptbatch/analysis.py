@@ -74,7 +74,7 @@ def prepare(setup: Setup, fpj: float) -> Run:
 def stress(run: Run) -> None:
     """Stages 1 to 3."""
     member, weight = run.setup.member, run.setup.self_weight
-    stages.jack(run.rig, run.fpj * member.Aps, member.set - run.start.gap[stages.RIGHT], weight)
+    stages.jack(run.rig, run.fpj * member.Aps, weight)
     stages.set_wedges(run.rig, member.set, weight, run.losses.set_zone)
     stages.anchor(run.rig, weight)
 
@@ -98,7 +98,9 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
             break
         fpj = run.fpj + (wanted - mean) * (run.fpj - before[0]) / (mean - before[1])
         before = run.fpj, mean
-        run = prepare(run.setup, fpj)
+        again = prepare(run.setup, fpj)
+        again.rig.case.work.spent[:] = run.rig.case.work.spent  # one budget for all of them
+        run = again
         stress(run)
     return run
 
@@ -119,7 +121,7 @@ def serve(run: Run, refine: int) -> int:
         setup.mesh.sense,
         member.deflection_limit,
         member.deflection_limit / (400 * refine),
-        member.deflection_limit / (60 * refine),
+        member.deflection_limit / (40 * refine),
     )
     full = setup.self_weight + setup.sustained
     stages.sustain(run.rig, (setup.self_weight, full), bonded)

@@ -51,7 +51,8 @@ def _stretches(cracked: NDArray[np.bool_], model: Model, thickness: Array) -> It
     """Runs of cracked layers, along the member and then downwards."""
     _, _, place = sections(model.x, np.zeros((1, 5 * len(model.x) + 2)))
     edges = np.append(0.0, np.cumsum(thickness))
-    closed = np.pad(cracked.astype(np.int8), ((0, 0), (1, 1)))
-    for x, change in zip(place.ravel(), np.diff(closed, axis=1), strict=True):
-        for first, after in zip(np.flatnonzero(change > 0), np.flatnonzero(change < 0), strict=True):
-            yield Crack(float(x), float(edges[first]), float(edges[after]))
+    change = np.diff(np.pad(cracked.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    section, first = np.nonzero(change > 0)
+    _, after = np.nonzero(change < 0)
+    columns = place.ravel()[section], edges[first], edges[after]
+    return map(Crack, *(column.tolist() for column in columns))

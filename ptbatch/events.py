@@ -20,7 +20,8 @@ REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5
 
 @dataclass(frozen=True)
 class Recorded:
-    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain (steps,)."""
+    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain
+    (steps,)."""
 
     model: Model
     u: Array
@@ -85,8 +86,7 @@ def _peak(curve: Curve, failure: Event | None) -> Event:
 
 def _at(step: float, curve: Curve) -> tuple[float, float]:
     """(load, deflection) at a fractional row."""
-    rows = np.arange(len(curve.load))
-    return float(np.interp(step, rows, curve.load)), float(np.interp(step, rows, curve.deflection))
+    return curve.at(step, curve.load), curve.at(step, curve.deflection)
 
 
 def _crossing(measure: Array, limit: float) -> float | None:

@@ -71,9 +71,9 @@ class Friction:
         """The larger of the one-end curves of the live ends."""
         return self._jacked(self.exponent(x, "left"))
 
-    def curves(self, x: ArrayLike, end: End) -> tuple[Array, Array, Array]:
-        """The jacked curve; growth and offset of the curve that reversed friction allows from an end."""
-        from_left = self.exponent(x, "left")
+    def curves(self, from_left: Array, end: End) -> tuple[Array, Array, Array]:
+        """The jacked curve; growth and offset of the curve that reversed friction allows from an end; all by
+        the friction exponent from the left."""
         f, jacked = from_left if end == "left" else self.total - from_left, self._jacked(from_left)
         if self.reversal == "friction":
             return jacked, np.exp(f), np.zeros_like(f)
@@ -95,19 +95,34 @@ class Friction:
         crossing = brentq(lambda x: self.exponent(x, "left") - self.total / 2.0, *self.ends.values())
         return np.unique(np.append(self.path.breaks, crossing))
 
-    def quadrature(self, start: float, stop: float) -> tuple[Array, Array]:
-        """x and weights of an integral over the arc length from x = start to stop: Gauss between stations."""
-        inside = (self.stations > start) & (self.stations < stop)
-        edges = np.concatenate([[start], self.stations[inside], [stop]])
-        width = np.diff(edges)[:, None]
-        x = (edges[:-1, None] + width * GAUSS_POINTS).ravel()
-        return x, (width * GAUSS_WEIGHTS).ravel() * np.hypot(1.0, self.path.slope(x))
+    def quadrature(self, end: End, x: float) -> tuple[Array, Array]:
+        """Friction exponents from the left, and weights, of an integral over the arc length from an end to x:
+        Gauss between the stations, of which only the last piece is new each time."""
+        exponents, weights = self._whole_pieces
+        at = int(np.searchsorted(self.stations, x, side="right" if end == "left" else "left"))
+        inner = self.stations[max(at - 1, 0)] if end == "left" else self.stations[min(at, len(exponents))]
+        whole = slice(0, max(at - 1, 0)) if end == "left" else slice(at, None)
+        last = self._gauss(np.array([min(inner, x)]), np.array([max(inner, x)]))
+        return (
+            np.concatenate([exponents[whole].ravel(), last[0].ravel()]),
+            np.concatenate([weights[whole].ravel(), last[1].ravel()]),
+        )
+
+    def _gauss(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Friction exponents from the left and weights (pieces, points) of integrals over the arc length."""
+        width = (stop - start)[:, None]
+        x = start[:, None] + width * GAUSS_POINTS
+        return self.exponent(x, "left"), width * GAUSS_WEIGHTS * np.hypot(1.0, self.path.slope(x))
+
+    @cached_property
+    def _whole_pieces(self) -> tuple[Array, Array]:
+        return self._gauss(self.stations[:-1], self.stations[1:])
 
     @cached_property
     def jacked_area(self) -> float:
         """Area under the jacked curve [mm]."""
-        x, weights = self.quadrature(*self.ends.values())
-        return float(self.jacked(x) @ weights)
+        exponents, weights = self._whole_pieces
+        return float((self._jacked(exponents) * weights).sum())
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,9 +146,9 @@ class Losses:
 
     def stress_anchored(self, x: ArrayLike) -> Array:
         """Stress at x after the wedge set [MPa], the shape of x."""
-        least = []
+        least, from_left = [], self.friction.exponent(x, "left")
         for end, level in self.level.items():
-            jacked, growth, offset = self.friction.curves(x, end)
+            jacked, growth, offset = self.friction.curves(from_left, end)
             least += [jacked, level * growth + offset]
         return self.fpj * np.minimum.reduce(least)
 
@@ -238,14 +253,14 @@ def _live_ends(jack: str) -> tuple[End, ...]:
 
 def _zone(friction: Friction, end: End, x: float, removed: float) -> tuple[float, float]:
     """(a, b) of b * level = a, the area condition of a reversed curve that runs from an end to x."""
-    at, weights = friction.quadrature(*sorted((friction.ends[end], x)))
-    jacked, growth, offset = friction.curves(at, end)
+    exponents, weights = friction.quadrature(end, x)
+    jacked, growth, offset = friction.curves(exponents, end)
     return float((jacked - offset) @ weights) - removed, float(growth @ weights)
 
 
 def _level(friction: Friction, end: End, x: float, removed: float) -> float:
     a, b = _zone(friction, end, x, removed)
-    _, growth, offset = friction.curves(x, end)
+    _, growth, offset = friction.curves(friction.exponent(x, "left"), end)
     return a / b if b > 0.0 else float((1.0 - offset) / growth)  # no set, no zone: fpj stays at the anchor
 
 
@@ -255,7 +270,7 @@ def _still_point(friction: Friction, end: End, removed: float) -> float:
 
     def excess(x: float) -> float:
         a, b = _zone(friction, end, x, removed)
-        jacked, growth, offset = friction.curves(x, end)
+        jacked, growth, offset = friction.curves(friction.exponent(x, "left"), end)
         return float(a * growth + b * (offset - jacked))  # times b, which is zero at the near end
 
     if removed == 0.0:
@@ -268,7 +283,7 @@ def _meeting_point(friction: Friction, removed: float) -> float:
 
     def scaled(x: float, end: End) -> tuple[float, float]:
         a, b = _zone(friction, end, x, removed)
-        _, growth, offset = friction.curves(x, end)
+        _, growth, offset = friction.curves(friction.exponent(x, "left"), end)
         return float(a * growth + b * offset), b
 
     def excess(x: float) -> float:

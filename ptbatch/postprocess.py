@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch import stages
-from ptbatch.core.ramp import DONE
+from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
 from ptbatch.events import Recorded, Service, find_events, nearest_to_failure
 from ptbatch.geometry.section import gross_section
@@ -49,22 +49,22 @@ def finished(run: "Run", ended: int) -> Response:
     events, failure = find_events(service)
     if not complete and not failure:
         last = curve.load[-1]
-        if last > 0.98 * curve.load.max():
+        if ended != NO_EQUILIBRIUM or last > 0.98 * curve.load.max():
             end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
             message = f"live load: {stages.WHY[ended]} beyond {end}{_why(run)}"
             common |= _states(run, rows, common["tendon"])
             return Response(**common, curve=curve, status="not converged", message=message)
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
-    common |= _states(run, rows, common["tendon"], round(peak.step))
-    note = f"the curve ends at {curve.deflection[-1]:.4g} mm: {stages.WHY.get(ended, '')} any further"
+    common |= _states(run, rows, common["tendon"], peak.step)
+    note = "" if complete else f"{stages.WHY[ended]} beyond a deflection of {curve.deflection[-1]:.4g} mm"
     return Response(
         **common,
         curve=curve,
         events=events,
         failure=failure or "deflection limit",
         status="ok",
-        message="" if complete else note,
+        message=note,
     )
 
 
@@ -94,15 +94,16 @@ def _common(run: "Run", before: int) -> dict[str, Any]:
 
 
 def _states(
-    run: "Run", rows: NDArray[np.int64], tendon: dict[str, TendonState], peak: int | None = None
+    run: "Run", rows: NDArray[np.int64], tendon: dict[str, TendonState], peak: float | None = None
 ) -> dict[str, Any]:
-    """Tendon and cracks at the peak, a row of the curve, if there is one, and at the end if that is another
-    row."""
-    at = {ANCHORED: int(rows[0])}
-    at |= {} if peak is None else {PEAK: int(rows[peak])}
-    at |= {} if peak == len(rows) - 1 else {END: int(rows[-1])}
+    """Tendon and cracks at the peak, a row of the curve with a fraction, if there is one, and at the end if
+    that is another row. Cracks are those of the nearest row."""
+    at = {ANCHORED: float(rows[0])}
+    at |= {} if peak is None else {PEAK: rows[0] + peak}
+    at |= {} if peak is not None and round(peak) == len(rows) - 1 else {END: float(rows[-1])}
     model, u = run.rig.case.model, run.rig.case.history.u
-    cracks = cracks_at(model, u, list(at.values()), gross_section(run.setup.member).thickness)
+    near = [round(row) for row in at.values()]
+    cracks = cracks_at(model, u, near, gross_section(run.setup.member).thickness)
     later = {stage: _tendon_state(run, row) for stage, row in at.items() if stage not in tendon}
     return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 
@@ -117,20 +118,27 @@ def _service_rows(run: "Run") -> NDArray[np.int64]:
     return np.arange(_last_row(run, stages.ANCHORING), int(run.rig.case.history.rows[0]))
 
 
-def _tendon_state(run: "Run", row: int) -> TendonState:
+def _tendon_state(run: "Run", row: float) -> TendonState:
+    """The tendon at a recorded row, or between two."""
     history, line, Aps = run.rig.case.history, run.setup.duct, run.setup.member.Aps
-    s = history.s[row]
+    s, T, anchor = (_between(column, row) for column in (history.s, history.T, history.anchor))
     middle = np.clip(0.5 * (s[1:] + s[:-1]), line.s[0], line.s[-1])
-    fine = np.linspace(line.x[0], line.x[-1], 20 * len(line.x) + 1)
     moved = s - run.start.s
     return TendonState(
-        np.interp(middle, run.setup.profile.arc_length(fine), fine),
-        history.T[row] / Aps,
+        run.setup.profile.place(middle),
+        T / Aps,
         0.5 * (moved[1:] + moved[:-1]),
-        (float(history.anchor[row, 0] / Aps), float(history.anchor[row, 1] / Aps)),
+        (float(anchor[0] / Aps), float(anchor[1] / Aps)),
         (float(moved[0]), float(moved[-1])),
         run.start.rest,
     )
+
+
+def _between(rows: Array, row: float) -> Array:
+    """A row of an array, interpolated where it falls between two."""
+    low = int(row)
+    share = row - low
+    return rows[low] if share == 0.0 else (1.0 - share) * rows[low] + share * rows[low + 1]
 
 
 def _elongation(run: "Run", row: int) -> float:

@@ -80,6 +80,10 @@ class Curve:
     stress_mean: Array
     stress_max: Array
 
+    def at(self, step: float, column: Array) -> float:
+        """Value of a column at a row, with a fraction where that falls between two."""
+        return float(np.interp(step, np.arange(len(column)), column))
+
 
 @dataclass(frozen=True)
 class Response:

@@ -11,7 +11,7 @@ from ptbatch.core.case import Case, open_case
 from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
 from ptbatch.core.follow import Control, follow
 from ptbatch.core.model import ANCHORED, PRESCRIBED, PULLED
-from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, pull_second_end, ramp
+from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, ramp
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]  # what something is moved from and to
@@ -78,16 +78,11 @@ def move(rig: Rig, stage: int, loads: Pair, values: Pair, bonded: bool = False, 
         raise NoEquilibriumError(stage, ended, done)
 
 
-def jack(rig: Rig, force: float, movement: float, self_weight: Array) -> None:
-    """Jacking: the live ends are pulled to `force` from slack; the beam lifts its own weight as it is
-    stressed. movement: of the second of two live ends, as expected."""
+def jack(rig: Rig, force: float, self_weight: Array) -> None:
+    """Jacking: the live ends are pulled to `force` from slack, two of them together; the beam lifts its own
+    weight as it is stressed."""
     for side in (LEFT, RIGHT):
         rig.case.ends.mode[side] = PULLED if rig.live[side] else ANCHORED
-    if all(rig.live):
-        ended, done = pull_second_end(rig.handle, JACKING, force, movement, self_weight, 1.0)
-        if ended != DONE:
-            raise NoEquilibriumError(JACKING, ended, done)
-        return
     loads = np.zeros_like(self_weight), self_weight
     move(rig, JACKING, loads, (np.zeros(2), np.where(rig.live, force, 0.0)))
 
@@ -126,4 +121,7 @@ def sustain(rig: Rig, loads: Pair, bonded: bool) -> None:
 def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bonded: bool) -> int:
     """Service, second part: the live pattern, driven by the control point's deflection to its limit or to the
     rupture of the tendon; how it ended, a key of `WHY` or DONE."""
-    return int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))
+    rig.case.state.rub[:] *= LET_GO
+    ended = int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))
+    spent = rig.case.work.spent[0] >= rig.case.tolerance.budget
+    return NO_BUDGET if ended == NO_EQUILIBRIUM and spent else ended

@@ -46,12 +46,13 @@ def _capacity(response: Response) -> Row:
     stresses = ("tendon_stress_peak_mean [MPa]", "tendon_stress_peak_max [MPa]")
     if peak is None or at_peak is None or curve is None:
         return row | dict.fromkeys((*names, *stresses, "failure"), _not_reached(response))
-    factor = float(curve.factor[round(peak.step)])
+    factor = curve.at(peak.step, curve.factor)
+    moment = curve.at(peak.step, np.abs(curve.moment_max)) * np.sign(curve.moment_max[round(peak.step)])
     return row | {
         "load_peak [kN]": peak.load / 1e3,
         "load_factor_peak": factor if response.has_service_value else "no service live load given",
         "deflection_peak [mm]": peak.deflection,
-        "moment_peak [kN m]": float(curve.moment_max[round(peak.step)]) / 1e6,
+        "moment_peak [kN m]": float(moment) / 1e6,
         "tendon_stress_peak_mean [MPa]": at_peak.mean,
         "tendon_stress_peak_max [MPa]": at_peak.most,
         "failure": response.failure,

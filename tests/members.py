@@ -6,7 +6,7 @@ from ptbatch.analysis import Run, prepare, stress
 from ptbatch.losses import analytic_losses
 from ptbatch.member import Member
 from ptbatch.model.arrays import set_up
-from ptbatch.stages import RIGHT, jack, sustain
+from ptbatch.stages import jack, sustain
 
 INCH, FOOT, KSI = 25.4, 304.8, 6.894757293168
 
@@ -43,8 +43,7 @@ def jacked(values: dict) -> Run:
     """The member after stage 1."""
     setup = set_up(Member(**values))
     run = prepare(setup, setup.member.fpj)
-    way = setup.member.set - run.start.gap[RIGHT]
-    jack(run.rig, run.fpj * setup.member.Aps, way, setup.self_weight)
+    jack(run.rig, run.fpj * setup.member.Aps, setup.self_weight)
     return run
 
 

@@ -63,7 +63,7 @@ def test_events_come_in_their_order():
     response = analyse(Member(**BEAM))
     loads = [response.event(name).load for name in ("cracking", "yield", "peak")]
     assert loads == sorted(loads)
-    assert response.residual_max <= 1e-8
+    assert response.residual_max <= 1e-6  # of statics, to which the residuals of all nodes add up
 
 
 def test_section_moment_is_that_of_statics():
@@ -82,7 +82,7 @@ def test_a_member_that_cannot_carry_its_dead_load_has_no_capacity():
     response = analyse(Member(**BEAM | {"w_dead": 500}))
     row = summary_row(response.member, response)
     assert response.status == "not converged"
-    assert "sustained load: no equilibrium beyond" in response.message
+    assert "sustained load: no equilibrium was found beyond" in response.message
     assert row["load_peak [kN]"] == row["failure"] == "not converged: see message"
     assert isinstance(row["stress_anchored_mean [MPa]"], float)
 

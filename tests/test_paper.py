@@ -126,7 +126,7 @@ BEAMS = [(f"{beam}, mu 0.3", f"{beam}, mu 0") for beam in ("A-1", "A-2", "A-3", 
 @pytest.mark.parametrize(("members", "limit"), [(PAIR, 2.25), *((pair, 2.0) for pair in BEAMS)])
 def test_friction_hardly_changes_a_curve(path, members, limit):
     """Published as a finding; 2 % of the peak load anywhere is the issue's. Specimen 2 passes by it at yield,
-    where fine steps find 2.2 %. Tao and Du's beams: unverified input."""
+    where fine steps find 2.1 %. Tao and Du's beams: unverified input."""
     with_friction, without = read_stored(path, members)
     deflection, load = (without.curves.numbers(header) for header in CURVE)
     other = np.interp(deflection, *(with_friction.curves.numbers(header) for header in CURVE))
@@ -145,7 +145,7 @@ def test_fine_steps_find_where_friction_matters_most():
     peak = 196.5e3
     assert 100.0 * np.max(less / without) == pytest.approx(2.7, abs=0.05)
     assert deflection[np.argmax(less / without)] == pytest.approx(10.5, abs=0.3)
-    assert 100.0 * less.max() / peak == pytest.approx(2.2, abs=0.05)
+    assert 100.0 * less.max() / peak == pytest.approx(2.1, abs=0.05)
     assert deflection[np.argmax(less)] == pytest.approx(15.9, abs=0.2)
 
 

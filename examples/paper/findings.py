@@ -31,7 +31,7 @@ def curves_of_specimen_2() -> list[Row]:
         f"{HARDLY} Friction changes the curve most from first cracking to about 20 mm: jacked to the same "
         "stress, the tendon without friction keeps 1376 MPa on average in place of 1295, and its member "
         "cracks and yields later. With steps eight times as fine the loads differ by up to 2.7 % of "
-        "themselves, at 10.5 mm, and by up to 2.2 % of the peak load, at 15.9 mm, where the bars of one "
+        "themselves, at 10.5 mm, and by up to 2.1 % of the peak load, at 15.9 mm, where the bars of one "
         "member yield and those of the other do not yet: almost identical, but not quite within 2 %."
     )
     return [

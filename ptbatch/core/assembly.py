@@ -2,7 +2,17 @@
 
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
 from ptbatch.core.beam import beam_forces, beam_tangent
-from ptbatch.core.contact import GROUTED, HELD, UNKNOWN, as_it_moves, contact_forces, project, segment
+from ptbatch.core.contact import (
+    EXPECTED_BACKWARD,
+    EXPECTED_FORWARD,
+    GROUTED,
+    HELD,
+    UNKNOWN,
+    as_it_moves,
+    contact_forces,
+    project,
+    segment,
+)
 from ptbatch.core.contact_tangent import contact_tangent
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
@@ -118,6 +128,14 @@ def end_slip(side, mode, model, u, work):
 
 
 @kernel
+def pulls_out(side, work):
+    """Whether an end of the tendon is expected to slide out in this iteration."""
+    if side == 0:
+        return work.motion[0] == EXPECTED_BACKWARD
+    return work.motion[work.motion.size - 1] == EXPECTED_FORWARD
+
+
+@kernel
 def add_ends(model, state, u, ends, work):
     """Forces of the two end elements (jack, wedge or anchorage with the tendon element next to it)."""
     n = model.x.size - 1
@@ -136,6 +154,7 @@ def add_ends(model, state, u, ends, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
+            pulls_out(side, work),
             anchor(side, model),
             model.contact,
             work.f6,
@@ -143,7 +162,13 @@ def add_ends(model, state, u, ends, work):
         work.half_tan[side] = half_tan
         slip = end_slip(side, ends.mode[side], model, u, work)
         work.shear[j] = end_friction(
-            work.T[e], half_tan, slip - state.s[j], state.rub[j], work.rough[j], model.contact
+            work.T[e],
+            half_tan,
+            slip - state.s[j],
+            state.rub[j],
+            work.rough[j],
+            pulls_out(side, work),
+            model.contact,
         )
         gap = tendon_dof(j)
         node = beam_dof(side * n)
@@ -179,6 +204,7 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
     for j in range(1, n + 1):
         gather_contact(j, model, u, work)
         seg = segment(work.segment[j], model)
+        held = bonded or work.motion[j] == GROUTED
         work.xi[j] = project(work.q12, work.xi[j], seg)
         work.normal[j], work.shear[j], work.s[j], _ = contact_forces(
             work.q12,
@@ -192,7 +218,7 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
-            GROUTED if bonded else as_it_moves(work.motion[j]) if frozen else UNKNOWN,
+            GROUTED if held else as_it_moves(work.motion[j]) if frozen else UNKNOWN,
             seg,
             model.contact,
             work.f8,
@@ -248,6 +274,8 @@ def tangent(model, state, u, ends, bonded, damping, work):
     for side in range(2):
         add_end_tangent(side, model, state, u, ends, work)
     add_ends(model, state, u, ends, work)
+    work.motion[0] = UNKNOWN  # what was expected has been taken as given, once
+    work.motion[n + 1] = UNKNOWN
 
 
 @kernel
@@ -367,6 +395,7 @@ def add_end_tangent(side, model, state, u, ends, work):
             state.s[j],
             state.rub[j],
             work.rough[j],
+            pulls_out(side, work),
             a,
             model.contact,
             work.w6,

@@ -16,7 +16,7 @@ friction force about the sheathing is passed on to the masters.
 from typing import NamedTuple
 
 from ptbatch.core.embedding import arm, turned
-from ptbatch.core.jit import inverse, kernel, root
+from ptbatch.core.jit import inverse, inverse_root, kernel, root
 
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 # Motion of a tendon node along its duct in an iteration
@@ -121,11 +121,13 @@ def friction(slip, rub, N, T, rough, was, c):
     if was == GROUTED:
         return trial, GROUTED
     capacity = c.mu * N + rough * T
-    limit = ALMOST * capacity.real
     if was == EXPECTED_FORWARD:
         return capacity, FORWARD
     if was == EXPECTED_BACKWARD:
         return -capacity, BACKWARD
+    if capacity.real < 0.0:
+        capacity = 0.0 * capacity
+    limit = ALMOST * capacity.real
     if trial.real >= limit:
         return (trial, HELD) if was == BACKWARD else (capacity, FORWARD)
     if trial.real <= -limit:
@@ -145,11 +147,11 @@ def as_it_moves(motion):
 def chords(a, b):
     """Unit vectors of the two chords that meet at a tendon node and of their bisector t', across n' of eqs
     (16)-(17): (e3, e4, t')."""
-    la = inverse(root(a[0] * a[0] + a[1] * a[1]))
-    lb = inverse(root(b[0] * b[0] + b[1] * b[1]))
+    la = inverse_root(a[0] * a[0] + a[1] * a[1])
+    lb = inverse_root(b[0] * b[0] + b[1] * b[1])
     ex, ey, gx, gy = a[0] * la, a[1] * la, b[0] * lb, b[1] * lb
     ux, uy = ex + gx, ey + gy
-    scale = inverse(root(ux * ux + uy * uy))
+    scale = inverse_root(ux * ux + uy * uy)
     return (ex, ey), (gx, gy), (ux * scale, uy * scale)
 
 
@@ -169,8 +171,11 @@ def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
         N = P + 0.0 * ux
     # In equilibrium this is N. On the way there the penalty makes N jump with the square of what is missing,
     # and its sign with it; what the tendon's own kink presses does not.
-    press = T4 * (e4[1] * ux - e4[0] * uy) - T3 * (e3[1] * ux - e3[0] * uy)
-    press = press if press.real >= 0.0 else -press
+    into3 = e3[0] * uy - e3[1] * ux
+    into4 = e4[1] * ux - e4[0] * uy
+    press = T3 * into3 + T4 * into4
+    # by the kink, so that a slack tendon knows as well which way it is going to press
+    press = press if (into3 + into4).real >= 0.0 else -press
     Tt, motion = friction(slip + 0.0 * ux, rub, press, 0.5 * (T3 + T4), rough, was, c)
     return Tt * ux - N * uy, Tt * uy + N * ux, N, Tt, motion
 
@@ -189,7 +194,7 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
     ry = q[1] - dot4(w, py)
     tx = dot4(w1, px)
     ty = dot4(w1, py)
-    scale = inverse(root(tx * tx + ty * ty))
+    scale = inverse_root(tx * tx + ty * ty)
     tx = tx * scale
     ty = ty * scale
     a = (q[0] - q[8], q[1] - q[9])

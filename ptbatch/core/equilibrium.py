@@ -95,6 +95,7 @@ def end_force(side, case):
         state.s[j],
         state.rub[j],
         work.rough[j],
+        False,
         anchor(side, model),
         model.contact,
         work.f6,

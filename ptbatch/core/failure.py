@@ -1,40 +1,50 @@
-"""How near the materials are to their limit strains."""
+"""How near the materials are to what is looked for on the way: cracking, yield, limit strains."""
 
 import numpy as np
 
 from ptbatch.core.beam import GAUSS, chord, strains
-from ptbatch.core.concrete import ELASTIC
+from ptbatch.core.concrete import ELASTIC, NO_TENSION
 from ptbatch.core.history import element_displacements
 from ptbatch.core.jit import kernel
 from ptbatch.core.tendon import ELASTIC_TENDON
 
+CRACKING, YIELD, LIMIT = range(3)  # what `demands` returns, each 1 where it is reached
+CRACK_SCALE = 1e-4  # strain; cracking is counted as a difference, for without tension it is at zero strain
+
 
 @kernel
-def utilisation(case, u):
-    """(concrete, bars, tendon): largest strain over crushing, bar rupture and tendon rupture strain, at
-    displacements u.
+def demands(case, u):
+    """((cracking, yield, limit), tendon): how near the member is to its first crack, to yield of a bar or the
+    tendon, to the limit strain of any material and of the tendon alone; at displacements u.
 
     Concrete is judged at the extreme fibres of the sections. The tendon's strain is that of the last
     evaluation. A ruptured bar no longer counts.
     """
     model, state, work = case.model, case.state, case.work
-    crushing = 0.0
-    bars = 0.0
+    opening = crushing = -1.0
+    bars = yielding = 0.0
     for e in range(model.x.size - 1):
         element_displacements(e, u, work.q6)
         length = model.x[e + 1] - model.x[e]
         elongation, _, _, _, turn1, turn2 = chord(length, work.q6)
         for g in range(2):
             eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
-            crushing = max(crushing, model.top * kappa - eps0, model.bottom * kappa - eps0)
+            top, bottom = eps0 - model.top * kappa, eps0 - model.bottom * kappa
+            opening = max(opening, top, bottom)
+            crushing = max(crushing, -top, -bottom)
             for i in range(model.bar_y.size):
                 if model.bar_area[e, i] > 0.0 and not np.isnan(state.bar[e, g, i]):
-                    bars = max(bars, abs(eps0 - model.bar_y[i] * kappa))
+                    strain = abs(eps0 - model.bar_y[i] * kappa)
+                    bars = max(bars, strain)
+                    yielding = max(yielding, strain * model.steel.Es / model.bar_fy[i])
     tendon = 0.0
     for e in range(model.rest_length.size):
         tendon = max(tendon, (work.length[e] - model.rest_length[e]) / model.rest_length[e])
-    return (
-        0.0 if model.concrete.law == ELASTIC else crushing / model.concrete.crushing_strain,
-        bars / model.steel.esu,
-        0.0 if model.strand.law == ELASTIC_TENDON else tendon / model.strand.epu,
-    )
+        if model.strand.law != ELASTIC_TENDON:
+            yielding = max(yielding, work.T[e] / (model.strand.Aps * model.strand.fpy))
+    concrete = model.concrete
+    eps_cr = 0.0 if concrete.tension_law == NO_TENSION else concrete.eps_cr
+    cracking = 0.0 if concrete.law == ELASTIC else 1.0 + (opening - eps_cr) / CRACK_SCALE
+    crushing = 0.0 if concrete.law == ELASTIC else crushing / concrete.crushing_strain
+    tendon = 0.0 if model.strand.law == ELASTIC_TENDON else tendon / model.strand.epu
+    return (cracking, yielding, max(crushing, bars / model.steel.esu, tendon)), tendon

@@ -10,14 +10,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.core.case import Target, driven
-from ptbatch.core.failure import utilisation
+from ptbatch.core.failure import LIMIT, demands
 from ptbatch.core.jit import inlined, kernel
 from ptbatch.core.model import beam_dof
 from ptbatch.core.newton import CONVERGED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM
 from ptbatch.core.step import accept, find_equilibrium
 
-OVERSHOOT = 1.005  # of a limit strain: how near a step must land on it
+AIM, OVERSHOOT = 1.001, 1.005  # of what is looked for: where a step is to land, how near it must
+LANDINGS = 6  # steps tried to do so
 EASY, HARD = 6, 12  # iterations of a step after which the next one may be longer, should be shorter
 AFTER_FAILURE = 3000  # iterations that the curve beyond the first failure may take: it lends no capacity
 SHORTER = 5  # step lengths that are tried, each a quarter of the one before
@@ -56,7 +57,7 @@ class Drive(NamedTuple):
 
 class Trial(NamedTuple):
     """A step that was tried: its length, whether it started ahead (see `reach`) and found equilibrium, at
-    which load factor, and the largest limit strain's utilisation there."""
+    which load factor, and the `demands` there."""
 
     step: float
     ahead: bool
@@ -64,31 +65,29 @@ class Trial(NamedTuple):
     factor: float
     iterations: int
     error: float
-    demand: float
+    demand: tuple
     tendon_broke: bool
 
 
 class Way(NamedTuple):
     """How far the load has come: its factor and the largest so far, the length of the last step (zero after a
-    change of what drives), the utilisation of limit strains, whether a material has failed, and the
-    iterations allowed."""
+    change of what drives), the `demands`, which of them have been met, and the iterations allowed."""
 
     factor: float
     most: float
     taken: float
-    used: float
-    failed: bool
+    used: tuple
+    met: tuple
     allowed: int
 
 
 @kernel
 def follow(case, stage, fixed, pattern, control, bonded):
-    """Load to failure; how it ended. Steps land on the first limit strain of a material."""
+    """Load to failure; how it ended. Steps land on the first crack, on yield, on the first limit strain."""
     load = Load(fixed, pattern, bonded)
     deflect = Drive(control.dof, -1, control.sense)
-    concrete, bars, tendon = utilisation(case, case.state.u)
-    used = max(concrete, bars, tendon)
-    way = Way(0.0, 0.0, 0.0, used, used >= 1.0, case.tolerance.budget)
+    used, _ = demands(case, case.state.u)
+    way = Way(0.0, 0.0, 0.0, used, met(used), case.tolerance.budget)
     step = control.first
     while case.history.rows[0] < case.history.stage.size:
         left = control.limit - deflection(case, control)
@@ -113,6 +112,12 @@ def follow(case, stage, fixed, pattern, control, bonded):
 
 
 @kernel
+def met(demand):
+    """Which demands have reached what they look for."""
+    return demand[0] >= 1.0, demand[1] >= 1.0, demand[2] >= 1.0
+
+
+@kernel
 def deflection(case, control):
     """Deflection of the control point since the anchored state."""
     return control.sense * (case.state.u[control.dof] - control.start)
@@ -130,8 +135,7 @@ def reach(case, load, drive, step, way, ahead):
     target = Target(load.fixed, load.pattern, load.bonded, drive.dof, drive.other, value)
     share = step / way.taken if ahead and way.taken > 0.0 else 0.0
     status, factor, iterations, error = find_equilibrium(case, target, way.factor, share)
-    concrete, bars, tendon = utilisation(case, case.work.trial)
-    demand = max(concrete, bars, tendon)
+    demand, tendon = demands(case, case.work.trial)
     return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
 
 
@@ -150,7 +154,7 @@ def approach(case, load, drive, step, way):
 def jump(case, load, drive, step, control, left, way):
     """The first longer step that finds equilibrium, across the snap-back of a crack that opens at once."""
     size = 0.5 * control.largest
-    trial = Trial(0.0, False, False, 0.0, 0, 0.0, 0.0, False)
+    trial = Trial(0.0, False, False, 0.0, 0, 0.0, (0.0, 0.0, 0.0), False)
     for _ in range(LONGER):
         if step < size <= left and not trial.converged:
             trial = reach(case, load, drive, size, way, False)
@@ -160,35 +164,61 @@ def jump(case, load, drive, step, control, left, way):
 
 @inlined
 def land(case, load, drive, over, way):
-    """A shorter step that ends on the limit strain that `over` passed; `over` itself where the response jumps
-    across it."""
-    last = over
-    for _ in range(4):
-        share = min(max((1.001 - way.used) / (last.demand - way.used), 0.1), 0.95)
-        trial = reach(case, load, drive, last.step * share, way, False)
-        if not trial.converged or trial.demand < 1.0:
+    """A shorter step that ends on the first of what `over` passed, found by interpolation; where the response
+    jumps across it, the first step beyond that was found."""
+    before, below = 0.0, way.used
+    here = True  # whether `over` was tried last
+    for _ in range(LANDINGS):
+        share = first_passed(way, below, over.demand)
+        if share == 1.0:
             break
-        last = trial
-        if last.demand <= OVERSHOOT:
-            return last
-    return reach(case, load, drive, last.step, way, last.ahead)  # it converged, so it does again
+        here = False
+        width = over.step - before
+        size = before + width * min(max(share, 0.05), 0.95)
+        trial = reach(case, load, drive, size, way, False)
+        if not trial.converged:
+            break
+        if news(way, trial.demand):
+            over, here = trial, True
+        else:
+            before, below = size, trial.demand
+    return over if here else reach(case, load, drive, over.step, way, over.ahead)  # which converges again
+
+
+@kernel
+def first_passed(way, below, demand):
+    """Share of the way from `below` to `demand` after which the first is met that has not been before; all of
+    it if what is met is just so."""
+    share = 1.0
+    for i in range(3):
+        if not way.met[i] and demand[i] > OVERSHOOT:
+            share = min(share, (AIM - below[i]) / (demand[i] - below[i]))
+    return share
+
+
+@kernel
+def news(way, demand):
+    """Whether a demand is met that has not been before."""
+    now = met(demand)
+    return (now[0] and not way.met[0]) or (now[1] and not way.met[1]) or (now[2] and not way.met[2])
 
 
 @inlined
 def take(case, stage, load, drive, trial, way):
-    """Accept a trial, the first one beyond a limit strain on that strain; returns what was accepted and how
-    far the load has come."""
-    if not way.failed and trial.demand > OVERSHOOT:
+    """Accept a trial, the first one beyond what is looked for on that; returns what was accepted and how far
+    the load has come."""
+    if first_passed(way, way.used, trial.demand) < 1.0:
         trial = land(case, load, drive, trial, way)
     if not trial.converged:
         return trial, way
     accept(case, stage, trial.factor, trial.iterations, trial.error)
-    failed = way.failed or trial.demand >= 1.0
+    now = met(trial.demand)
+    so_far = (way.met[0] or now[0], way.met[1] or now[1], way.met[2] or now[2])
     allowed = way.allowed
-    if failed and not way.failed:
+    if so_far[LIMIT] and not way.met[LIMIT]:
         allowed = min(allowed, case.work.spent[0] + AFTER_FAILURE)
     most = max(way.most, trial.factor)
-    return trial, Way(trial.factor, most, trial.step, trial.demand, failed, allowed)
+    return trial, Way(trial.factor, most, trial.step, trial.demand, so_far, allowed)
 
 
 @inlined
@@ -196,7 +226,7 @@ def turn_hinge(case, stage, load, control, way):
     """Let the element that turns fastest drive the load until the deflection grows beyond where it was."""
     furthest = deflection(case, control)
     drive, step = fastest(case)
-    way = Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
+    way = Way(way.factor, way.most, 0.0, way.used, way.met, way.allowed)
     trial = Trial(0.0, False, False, way.factor, 0, 0.0, way.used, False)
     for _ in range(HINGE_STEPS):
         if case.history.rows[0] >= case.history.stage.size or case.work.spent[0] >= way.allowed:
@@ -214,8 +244,8 @@ def turn_hinge(case, stage, load, control, way):
         turning, turned = fastest(case)
         if turning.dof != drive.dof:
             drive, step = turning, turned
-            way = Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
-    return trial, Way(way.factor, way.most, 0.0, way.used, way.failed, way.allowed)
+            way = Way(way.factor, way.most, 0.0, way.used, way.met, way.allowed)
+    return trial, Way(way.factor, way.most, 0.0, way.used, way.met, way.allowed)
 
 
 @kernel

@@ -61,6 +61,13 @@ def inverse(z):
 
 
 @kernel
+def inverse_root(z):
+    """One over the square root of a positive number, complex step carried to first order."""
+    r = 1.0 / np.sqrt(z.real)
+    return r - (z - z.real) * (0.5 * r * r * r)
+
+
+@kernel
 def power(z, exponent):
     """z ** exponent for a positive base, complex step carried to first order."""
     p = z.real**exponent

@@ -16,7 +16,7 @@ HOPELESS = 1e8  # relative residual
 NEAR, NEARER = 1e-3, 1e-6  # relative residuals: the next step may arrive; the last tangent will do
 NONE, FREE, FROZEN = range(3)  # searching along a step
 NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
-PATIENCE = 6  # iterations in which an undamped way must bring its residual down
+PATIENCE = 4  # iterations in which an undamped way must bring its residual down
 
 
 class Way(NamedTuple):

@@ -1,18 +1,33 @@
 """Stages 1 to 3 and the sustained load: loads and the ends of the tendon move together from one place to
 another."""
 
+from typing import NamedTuple
+
 from ptbatch.core.case import still
+from ptbatch.core.contact import GROUTED
+from ptbatch.core.equilibrium import imbalance_as_evaluated
+from ptbatch.core.history import rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import PRESCRIBED
-from ptbatch.core.newton import CONVERGED
-from ptbatch.core.step import SPENT, accept, find_equilibrium
+from ptbatch.core.newton import CONVERGED, equilibrate
+from ptbatch.core.step import SPENT, WAYS, accept, find_equilibrium
 
 DONE, NO_EQUILIBRIUM, NO_BUDGET, NO_ROOM = range(4)  # how a stage ended
 
 SMALLEST = 1e-4  # of a stage: below this a step is given up
-SHORT = 0.98  # of the expected movement of a second jack: where its force is looked at for the first time
-SAME = 1e-7  # of the force: two jacks pull alike
-RIGHT = 1
+SAME = 1e-8  # of the force: nodes that friction holds but for so little rest
+SURELY = 0.97  # of its friction: a node that needs less to rest has no neighbour that might as well
+
+
+class Held(NamedTuple):
+    """Equilibrium with one tendon node held: how it ended, iterations and residual; the friction to spare
+    [N], the sense (1 to the right) in which the node would slide, and whether it surely would not."""
+
+    status: int
+    iterations: int
+    error: float
+    spare: float
+    side: int
+    surely: bool
 
 
 @kernel
@@ -21,7 +36,7 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
     they must be; returns (how it ended, share of the stage done)."""
     load = load_from.copy()
     target = still(load, bonded)
-    done, step = 0.0, first
+    done, step, rest = 0.0, first, held_node(case)
     while done < 1.0:
         if case.history.rows[0] >= case.history.stage.size:
             return NO_ROOM, done
@@ -30,7 +45,10 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
             case.ends.value[i] = end_from[i] + share * (end_to[i] - end_from[i])
         for i in range(load.size):
             load[i] = load_from[i] + share * (load_to[i] - load_from[i])
-        status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
+        if rest > 0:
+            status, iterations, error, rest = settle(case, target, rest)
+        else:
+            status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
         if status == CONVERGED:
             accept(case, stage, 0.0, iterations, error)
             done = share
@@ -45,35 +63,63 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
 
 
 @kernel
-def pull_second_end(case, stage, force, movement, weight, first):
-    """Jacking from two ends: the left one is pulled to `force`; the right one is moved outward until its
-    force is the same, a little less than its expected movement first, so that the force is approached from
-    below, then by what is missing. Returns as `ramp` does."""
-    case.ends.mode[RIGHT] = PRESCRIBED
-    start = case.ends.value.copy()
-    goal = case.ends.value.copy()
-    start[0], goal[0] = 0.0, force
-    start[RIGHT] = case.state.u[case.state.u.size - 2]
-    goal[RIGHT] = start[RIGHT] + SHORT * movement
-    ended, done = ramp(case, stage, 0.0 * weight, weight, start, goal, False, first)
-    if ended != DONE:
-        return ended, done
-    slope = right_force(case) / (goal[RIGHT] - start[RIGHT])
-    for _ in range(20):
-        before = right_force(case)
-        missing = force - before
-        if abs(missing) <= SAME * force:
-            return DONE, 1.0
-        start[:] = goal
-        goal[RIGHT] += missing / slope
-        ended, done = ramp(case, stage, weight, weight, start, goal, False, 1.0)
-        if ended != DONE:
-            return ended, 1.0
-        slope = (right_force(case) - before) / (goal[RIGHT] - start[RIGHT])
-    return NO_EQUILIBRIUM, 1.0
+def held_node(case):
+    """The tendon node that is expected to rest while both ends are pulled; 0 where there is none."""
+    for j in range(1, case.state.motion.size - 1):
+        if case.state.motion[j] == GROUTED:
+            return j
+    return 0
 
 
 @kernel
-def right_force(case):
-    """Force at the right anchor in the last recorded step."""
-    return case.history.anchor[case.history.rows[0] - 1, RIGHT]
+def hold(case, target, j):
+    """Equilibrium with tendon node j held as grout would do it."""
+    work, contact, motion = case.work, case.model.contact, case.state.motion
+    motion[j] = GROUTED
+    rewind(case.state, work)
+    status, _, iterations, error = equilibrate(case, target, 0.0, WAYS[0])
+    work.spent[0] += iterations
+    capacity = contact.mu * abs(work.normal[j]) + work.rough[j] * 0.5 * (work.T[j - 1] + work.T[j])
+    needed = abs(work.shear[j]) - SAME * case.tolerance.force
+    side = 1 if work.shear[j] > 0.0 else -1
+    return Held(status, iterations, error, capacity - needed, side, needed < SURELY * capacity)
+
+
+@kernel
+def settle(case, target, rest):
+    """Equilibrium of a tendon that is pulled at both ends: by forces alone it could lie anywhere in its duct,
+    so the node that rests is held, and the next one tried until friction alone can hold it; returns (status,
+    iterations, largest imbalance, node at rest).
+
+    Between two nodes that could both rest, as in a symmetric member, both slide: the tendon then lies where
+    friction is just enough for that.
+    """
+    state, work = case.state, case.work
+    motion, place = state.motion, state.s.copy()
+    held = hold(case, target, rest)
+    spent = held.iterations
+    for _ in range(motion.size):
+        other = rest - held.side
+        if held.status != CONVERGED or held.surely or not 0 < other < motion.size - 1:
+            break
+        away = work.s[other] - state.s[other]
+        motion[rest] = motion[rest + held.side]  # it slides as its neighbours do
+        beside = hold(case, target, other)
+        spent += beside.iterations
+        tied = beside.side != held.side and (beside.spare >= 0.0) == (held.spare >= 0.0)
+        if beside.status != CONVERGED or tied or held.spare >= 0.0:
+            if beside.status == CONVERGED and tied:
+                state.s[rest] -= away * held.spare / (held.spare + beside.spare)
+            motion[other] = motion[other - held.side]
+            held = hold(case, target, rest)
+            spent += held.iterations
+            break
+        rest, held = other, beside
+    status, error = held.status, held.error
+    if status == CONVERGED:
+        error = max(error, imbalance_as_evaluated(case, target, 0.0))
+    if status != CONVERGED or error > case.tolerance.statics:
+        status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
+        spent += iterations
+    state.s[:] = place
+    return status, spent, error, rest

@@ -12,9 +12,8 @@ from ptbatch.core.newton import CONVERGED, FREE, NONE, Way, equilibrate
 # are for friction that turns round everywhere.
 WAYS = (
     Way(20, 0.0, 1.0, NONE),
-    Way(25, 0.1, 0.6, NONE),
+    Way(40, 0.2, 0.7, NONE),
     Way(30, 0.0, 1.0, FREE),
-    Way(60, 0.3, 0.8, NONE),
 )
 SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
 UNBALANCED = 4  # and: the iteration converged to what statics does not confirm

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Side = Literal["left", "right"]
 
+PLACES = 2001  # of the table from arc length to place
 KINK = 1e-9  # rad; a smaller change of direction is round-off
 GAUSS_POINTS, GAUSS_WEIGHTS = (leggauss(20) + np.array([[1.0], [0.0]])) / 2.0  # on (0, 1)
 
@@ -49,13 +50,24 @@ class Profile:
         piece, t = self._locate(x)
         return self._lengths[piece] + self._piece_length(piece, t)
 
+    def place(self, s: Array) -> Array:
+        """x at the arc length s [mm], to a hundred-thousandth of the length."""
+        x, length = self._places
+        return np.asarray(np.interp(s, length, x))
+
+    @cached_property
+    def _places(self) -> tuple[Array, Array]:
+        """Places and the arc length up to them."""
+        x = np.union1d(np.linspace(self.breaks[0], self.breaks[-1], PLACES), self.breaks)
+        return x, self.arc_length(x)
+
     def angle(self, x: ArrayLike) -> Array:
         """Sum of absolute changes of direction from the left end to x [rad].
 
         The whole of a kink counts to the right of it, half of it at the kink itself.
         """
         piece, t = self._locate(x)
-        turned = np.abs(np.arctan(self.slope(x)) - self._directions[0][piece])
+        turned = np.abs(np.arctan(self._slope(piece, t)) - self._directions[0][piece])
         return self._angles[piece] + turned - 0.5 * self._kink_angles[piece] * (t == 0.0)
 
     @cached_property

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
+from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD, GROUTED
 from ptbatch.core.model import Contact, Ends, Model, State
 from ptbatch.geometry.curve import Profile
 from ptbatch.geometry.profile import ideal_profile, tendon_profile
@@ -150,6 +150,8 @@ def _initial_state(arrays: Model, start: TendonStart, live: tuple[bool, bool]) -
     slid[0] = start.gap[0] if live[0] else -0.5 * start.s[1]  # as `end_slip` measures it
     slid[-1] = start.gap[1] if live[1] else 0.5 * start.s[-2]
     motion = np.where(start.moves > 0.0, EXPECTED_FORWARD, EXPECTED_BACKWARD)
+    if all(live):
+        motion[1 + np.argmin(np.abs(start.moves[1:-1]))] = GROUTED  # between two jacks the tendon rests
     return State(u, fibres, bars, np.zeros(n + 1), start.segment, slid, np.zeros(n + 2), motion)
 
 

@@ -14,9 +14,9 @@ Array = NDArray[np.float64]
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
-def hermite(xi: Array | float, h: float) -> Array:
+def hermite(xi: Array | float, h: Array | float) -> Array:
     """Weights (4, ...) of v1, theta1, v2, theta2 in the deflection at xi of an element of length h."""
-    xi = np.asarray(xi, dtype=float)
+    xi, h = np.asarray(xi, dtype=float), np.asarray(h, dtype=float)
     return np.array(
         [
             1 - 3 * xi**2 + 2 * xi**3,
@@ -37,11 +37,13 @@ def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
             h = x[e + 1] - x[e]
             nodal[e : e + 2] -= load.value * hermite((load.x - x[e]) / h, h).reshape(2, 2)
             continue
-        for e in map(int, np.flatnonzero((x[:-1] < load.x_end) & (x[1:] > load.x))):
-            h = x[e + 1] - x[e]
-            a, b = max(load.x, x[e]), min(load.x_end, x[e + 1])
-            xi = (0.5 * (a + b) + 0.5 * (b - a) * GAUSS - x[e]) / h
-            nodal[e : e + 2] -= load.value * 0.5 * (b - a) * (hermite(xi, h) @ WEIGHTS).reshape(2, 2)
+        under = np.flatnonzero((x[:-1] < load.x_end) & (x[1:] > load.x))
+        left, right = x[under], x[under + 1]
+        a, b, h = np.maximum(load.x, left), np.minimum(load.x_end, right), (right - left)[:, None]
+        xi = (0.5 * (a + b)[:, None] + 0.5 * (b - a)[:, None] * GAUSS - left[:, None]) / h
+        shares = -load.value * 0.5 * (b - a) * (hermite(xi, h) @ WEIGHTS)
+        nodal[under] += shares[:2].T
+        nodal[under + 1] += shares[2:].T
     return nodal
 
 
@@ -59,21 +61,14 @@ def elastic_deflection(member: Member, x: Array, loads: Iterable[Load]) -> Array
     """Deflection (nodes,), up positive, of a beam with EI = 1."""
     n = len(x)
     band = np.zeros((4, 2 * n))  # upper form of a matrix with three superdiagonals
-    for e, h in enumerate(np.diff(x)):
-        k = (
-            np.array(
-                [
-                    [12, 6 * h, -12, 6 * h],
-                    [6 * h, 4 * h * h, -6 * h, 2 * h * h],
-                    [-12, -6 * h, 12, -6 * h],
-                    [6 * h, 2 * h * h, -6 * h, 4 * h * h],
-                ]
-            )
-            / h**3
-        )
-        for i in range(4):
-            for j in range(i, 4):
-                band[3 - (j - i), 2 * e + j] += k[i, j]
+    h = np.diff(x)
+    stiffness = {  # by degrees of freedom (v1, theta1, v2, theta2) of an element, times h^3
+        **{(0, 0): 12.0 + 0.0 * h, (0, 1): 6.0 * h, (0, 2): -12.0 + 0.0 * h, (0, 3): 6.0 * h},
+        **{(1, 1): 4.0 * h * h, (1, 2): -6.0 * h, (1, 3): 2.0 * h * h},
+        **{(2, 2): 12.0 + 0.0 * h, (2, 3): -6.0 * h, (3, 3): 4.0 * h * h},
+    }
+    for (i, j), k in stiffness.items():
+        band[3 - (j - i), j : j + 2 * (n - 1) : 2] += k / h**3
     stiff = 1e12 * band[3].max()
     for node, _, _, turns_not in held_nodes(member, x):
         band[3, 2 * node] += stiff

@@ -31,7 +31,7 @@ def evaluate(q, mode, slip=0.0, rub=3000.0, value=0.0, rough=ROUGH):
     now, f = chord(q.real.copy()), np.zeros(6, q.dtype)
     tension = T + STIFF * (now - chord(Q))
     half_tan = end_forces(
-        q, mode, value, -2.5, tension, STIFF, now, Q[0] - slip, rub, rough, END, LAW, f
+        q, mode, value, -2.5, tension, STIFF, now, Q[0] - slip, rub, rough, False, END, LAW, f
     )  # fmt: skip
     return f, half_tan
 
@@ -91,13 +91,28 @@ def test_jack_force_is_the_tension_over_its_friction(rough):
     )
 
 
+HALF_TAN = 0.05
+
+
+def rub(slip, before=0.0, tension=T, expected=False):
+    """J - T."""
+    return end_friction(tension, HALF_TAN, slip, before, 0.0, expected, LAW)
+
+
 def test_friction_at_the_anchor_sticks_and_turns_round():
-    half_tan = 0.05
-    out, into = (end_friction(T, half_tan, slip, 0.0, 0.0, LAW) for slip in (30.0, -30.0))
-    assert end_friction(T, half_tan, 0.1, 0.0, 0.0, LAW) == pytest.approx(0.1 * LAW.tangential)  # closed form
-    assert end_friction(T, half_tan, -0.1, out, 0.0, LAW) == pytest.approx(out - 0.1 * LAW.tangential)
-    assert end_friction(T, half_tan, -30.0, out, 0.0, LAW) == into < 0.0 < out
-    assert end_friction(-T, half_tan, 30.0, 0.0, 0.0, LAW) == 0.0  # a slack tendon has no friction
+    out, into = rub(30.0), rub(-30.0)
+    assert rub(0.1) == pytest.approx(0.1 * LAW.tangential)  # closed form
+    assert rub(-0.1, out) == pytest.approx(out - 0.1 * LAW.tangential)
+    assert rub(-30.0, out) == into < 0.0 < out
+    assert rub(30.0, tension=-T) == 0.0  # a slack tendon has no friction
+
+
+def test_an_end_that_is_expected_to_slide_out_does_so_whatever_the_tension():
+    a = LAW.mu * HALF_TAN
+    for tension in (-1e-9, 0.0, 1e-9, T):  # closed form, as is its slope at a tendon that is still slack
+        assert rub(0.0, tension=tension, expected=True) == 2.0 * a / (1.0 - a) * tension
+        slope = rub(0.0, tension=complex(tension, STEP), expected=True).imag / STEP
+        assert slope == pytest.approx(2.0 * a / (1.0 - a), rel=1e-12)
 
 
 def test_what_each_mode_asks_of_the_gap():  # closed form

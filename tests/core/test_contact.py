@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ptbatch.core.contact import Segment, contact_forces, project
+from ptbatch.core.contact import UNKNOWN, Segment, contact_forces, project
 from ptbatch.core.jit import STEP
 from ptbatch.core.model import Contact
 from tests.core.numerics import central_jacobian, turned_by
@@ -43,13 +43,14 @@ def slid(duct, slip):
 
 
 def evaluate(q, duct, slip, c, rough=0.01):
-    """(forces (8,), N, T_t, s). A complex q is evaluated as the assembly does it: about its real part."""
+    """(forces (8,), N, T_t, s, motion). A complex q is evaluated as the assembly does it: about its real
+    part."""
     now = lengths(q.real)
     tension = np.array([T3, T4]) + np.array([SLOPE3, SLOPE4]) * (now - lengths(position(0)))
     f, seg = np.zeros(8, q.dtype), DUCTS[duct]
     xi = project(q.real.copy(), 0.5, seg)
     springs = (*tension, SLOPE3, SLOPE4, *now)
-    return f, *contact_forces(q, xi, *springs, slid(duct, slip), 500.0, rough, False, seg, c, f)
+    return f, *contact_forces(q, xi, *springs, slid(duct, slip), 500.0, rough, UNKNOWN, seg, c, f)
 
 
 @any_duct

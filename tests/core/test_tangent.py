@@ -5,6 +5,15 @@ import numpy as np
 import pytest
 
 from ptbatch.core.assembly import internal_forces, tangent
+from ptbatch.core.beam import chord
+from ptbatch.core.contact import (
+    BACKWARD,
+    EXPECTED_BACKWARD,
+    EXPECTED_FORWARD,
+    FORWARD,
+    HELD,
+    UNKNOWN,
+)
 from tests.core.numerics import central_jacobian
 from tests.members import SMALL, anchored, jacked, sustained
 
@@ -13,12 +22,18 @@ SLIDE, STICK = 0.2, -1e-4
 
 
 @numba.njit  # not cached: it would outlive the kernels that it calls
-def evaluate(case, u, bonded, flat, with_tangent):
-    if with_tangent:
-        tangent(case.model, case.state, u, case.ends, bonded, flat, case.work)
-    else:
-        internal_forces(case.model, case.state, u, case.ends, bonded, case.work)
+def forces(case, u, bonded, frozen):
+    internal_forces(case.model, case.state, u, case.ends, bonded, frozen, case.work)
     return case.work.f.copy()
+
+
+@numba.njit
+def forces_and_tangent(case, u, bonded, was, damping):
+    """Every inner node comes from an iteration in which its motion was `was`."""
+    case.work.motion[:] = UNKNOWN
+    case.work.motion[1:-1] = was
+    tangent(case.model, case.state, u, case.ends, bonded, damping, case.work)
+    return case.work.f.copy(), case.work.matrix.copy()
 
 
 def unrolled(matrix):
@@ -40,6 +55,7 @@ def nearby(run, slip):
         u[2 + i : 5 * nodes : 5] += size * rng.standard_normal(nodes)
     u[5:-2:5] -= slip * np.linspace(1.2, 1.0, nodes - 1)  # stretching as well
     u[0] += 1.2 * slip
+    u[-2] -= slip
     return u
 
 
@@ -57,21 +73,64 @@ STAGES = {
 }
 
 
-@pytest.mark.parametrize("stage", STAGES)
-def test_tangent_is_the_central_difference(stage):
-    bring, slip, bonded = STAGES[stage]
-    run = bring()
-    u, handle = nearby(run, slip), run.rig.handle
-    f = evaluate(handle, u, bonded, False, True)
-    exact = unrolled(run.rig.case.work.matrix)
+def check(handle, u, bonded, was, frozen):
+    f, matrix = forces_and_tangent(handle, u, bonded, was, 0.0)
+    exact = unrolled(matrix)
     # the search has put every node on its segment; as in a line search it is not repeated here
-    np.testing.assert_allclose(evaluate(handle, u, bonded, False, False), f, rtol=1e-9, atol=1e-3)
+    np.testing.assert_allclose(forces(handle, u, bonded, frozen), f, rtol=1e-9, atol=1e-3)
     step = np.where(np.arange(u.size) % 5 == 4, 1e-8, 1e-5)
-    difference = central_jacobian(lambda p: evaluate(handle, p, bonded, False, False), u, step)
+    difference = central_jacobian(lambda p: forces(handle, p, bonded, frozen), u, step)
     scale = np.sqrt(np.outer(np.abs(exact).max(axis=1), np.abs(exact).max(axis=0)))
     scale[scale == 0.0] = scale.max()  # nothing but round-off may stand there
     # round-off: positions of 1e3 mm keep 1e-13 mm, which over 1e-5 mm is 1e-8
     np.testing.assert_allclose(difference / scale, exact / scale, atol=1e-6)
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_tangent_is_the_central_difference(stage):
+    bring, slip, bonded = STAGES[stage]
+    run = bring()
+    check(run.rig.handle, nearby(run, slip), bonded, UNKNOWN, False)
+
+
+@pytest.mark.parametrize(
+    ("was", "slip", "motion"),
+    [
+        (BACKWARD, -SLIDE, HELD),
+        (EXPECTED_BACKWARD, -SLIDE, BACKWARD),
+        (EXPECTED_FORWARD, SLIDE, FORWARD),
+    ],
+    ids=["held", "expected backward", "expected forward"],
+)
+def test_tangent_of_frozen_motions_is_the_central_difference(was, slip, motion):
+    """Nodes that are pushed back, and nodes whose friction points the other way than their trial force."""
+    run = jacked(SMALL | STRAIGHT)
+    check(run.rig.handle, nearby(run, slip), False, was, True)
+    work = run.rig.case.work
+    assert (work.motion[1:-1] == motion).all()
+    assert work.held_back[0] == (work.motion == HELD).sum()
+
+
+@pytest.mark.parametrize("stage", ["jacking, sliding", "cracked", "grouted"])
+def test_damping_adds_its_share_of_the_uncracked_beam_to_the_tangent_alone(stage):
+    bring, slip, bonded = STAGES[stage]
+    run = bring()
+    u, model = nearby(run, slip), run.rig.case.model
+    f, plain = forces_and_tangent(run.rig.handle, u, bonded, UNKNOWN, 0.0)
+    same, damped = forces_and_tangent(run.rig.handle, u, bonded, UNKNOWN, 0.3)
+    np.testing.assert_allclose(same, f, rtol=1e-9, atol=1e-3)
+    expected, flexure = np.zeros(2 * [u.size]), model.layer_area @ model.layer_y**2
+    for e, length in enumerate(np.diff(model.x)):  # closed form, of the concrete layers
+        at = 5 * e + 2
+        q = np.concatenate([u[at : at + 3], u[at + 5 : at + 8]])
+        B = central_jacobian(lambda q, length=length: np.array(chord(length, q))[[0, 4, 5]], q, 1e-6)
+        D = np.zeros((3, 3))
+        D[0, 0] = model.layer_area.sum() / length
+        D[1:, 1:] = flexure / length * np.array([[4.0, 2.0], [2.0, 4.0]])
+        place = np.r_[at : at + 3, at + 5 : at + 8]
+        expected[np.ix_(place, place)] += 0.3 * model.concrete.E0 * B.T @ D @ B
+    difference = unrolled(damped) - unrolled(plain)
+    np.testing.assert_allclose(difference, expected, atol=1e-7 * np.abs(expected).max())
 
 
 def test_the_cracked_stages_are_cracked():
