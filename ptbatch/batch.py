@@ -96,7 +96,7 @@ def _identity(started: datetime, inputs: Inputs) -> dict[str, Any]:
     """What was run on what, and where."""
     return {
         "ptbatch": __version__,
-        **{name: _version(name) for name in ("numba", "numpy", "scipy")},
+        **{name: _version(name) for name in ("numba", "numpy")},
         "started": started.isoformat(" ", "seconds"),
         "input": str(inputs.path),
         "input sha256": inputs.sha256,

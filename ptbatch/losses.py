@@ -17,9 +17,9 @@ from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from ptbatch.geometry.curve import GAUSS_POINTS, GAUSS_WEIGHTS, Array
+from ptbatch.roots import root
 
 End = Literal["left", "right"]
 Reversal = Literal["friction", "mirror"]
@@ -92,7 +92,7 @@ class Friction:
         """Points between which all is smooth: the breaks and, for two live ends, where their curves cross."""
         if len(self.live) == 1:
             return self.path.breaks
-        crossing = brentq(lambda x: self.exponent(x, "left") - self.total / 2.0, *self.ends.values())
+        crossing = root(lambda x: float(self.exponent(x, "left")) - self.total / 2.0, *self.ends.values())
         return np.unique(np.append(self.path.breaks, crossing))
 
     def quadrature(self, end: End, x: float) -> tuple[Array, Array]:
@@ -275,7 +275,7 @@ def _still_point(friction: Friction, end: End, removed: float) -> float:
 
     if removed == 0.0:
         return near
-    return far if excess(far) <= 0.0 else float(brentq(excess, near, far))
+    return far if excess(far) <= 0.0 else root(excess, near, far)
 
 
 def _meeting_point(friction: Friction, removed: float) -> float:
@@ -290,4 +290,4 @@ def _meeting_point(friction: Friction, removed: float) -> float:
         (left, left_scale), (right, right_scale) = scaled(x, "left"), scaled(x, "right")
         return left * right_scale - right * left_scale
 
-    return float(brentq(excess, *friction.ends.values()))
+    return root(excess, *friction.ends.values())

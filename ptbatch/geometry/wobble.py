@@ -21,9 +21,9 @@ from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from ptbatch.geometry.curve import Array, Profile
+from ptbatch.roots import root
 
 HALF_WAVE = 2.0  # beam elements
 FEWEST = 2.0  # elements on a stretch, for its two half waves
@@ -112,7 +112,7 @@ class Stretch:
         steepest = abs(self.bend) + STEEPEST * np.pi / self.half_waves.max()
         if least >= steepest or missing(steepest) < 0.0:
             raise ValueError(f"wobble: it takes waves steeper than {STEEPEST:g} at x = {self.start:g} mm")
-        return self.with_waves(float(brentq(missing, least, steepest, xtol=1e-18, rtol=1e-13)))
+        return self.with_waves(root(missing, least, steepest, xtol=1e-18, rtol=1e-13))
 
 
 def stretches(ideal: Profile, span: Sequence[float], elements: int) -> list[Stretch]:

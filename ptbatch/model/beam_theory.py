@@ -5,12 +5,13 @@ from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import solveh_banded
 
+from ptbatch.core.banded import factorise, substitute
 from ptbatch.member import Load, Member
 
 Array = NDArray[np.float64]
 
+HALF = 3  # bandwidth of a beam on each side of the diagonal
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
@@ -60,7 +61,7 @@ def held_nodes(member: Member, x: Array) -> list[tuple[int, bool, bool, bool]]:
 def elastic_deflection(member: Member, x: Array, loads: Iterable[Load]) -> Array:
     """Deflection (nodes,), up positive, of a beam with EI = 1."""
     n = len(x)
-    band = np.zeros((4, 2 * n))  # upper form of a matrix with three superdiagonals
+    band = np.zeros((2 * n, 2 * HALF + 1))
     h = np.diff(x)
     stiffness = {  # by degrees of freedom (v1, theta1, v2, theta2) of an element, times h^3
         **{(0, 0): 12.0 + 0.0 * h, (0, 1): 6.0 * h, (0, 2): -12.0 + 0.0 * h, (0, 3): 6.0 * h},
@@ -68,10 +69,19 @@ def elastic_deflection(member: Member, x: Array, loads: Iterable[Load]) -> Array
         **{(2, 2): 12.0 + 0.0 * h, (2, 3): -6.0 * h, (3, 3): 4.0 * h * h},
     }
     for (i, j), k in stiffness.items():
-        band[3 - (j - i), j : j + 2 * (n - 1) : 2] += k / h**3
-    stiff = 1e12 * band[3].max()
+        band[i : i + 2 * (n - 1) : 2, HALF + j - i] += k / h**3
+        if i != j:
+            band[j : j + 2 * (n - 1) : 2, HALF + i - j] += k / h**3
+    stiff = 1e12 * band[:, HALF].max()
     for node, _, _, turns_not in held_nodes(member, x):
-        band[3, 2 * node] += stiff
+        band[2 * node, HALF] += stiff
         if turns_not:
-            band[3, 2 * node + 1] += stiff
-    return np.asarray(solveh_banded(band, nodal_loads(x, loads).ravel()))[::2]
+            band[2 * node + 1, HALF] += stiff
+    deflection, multipliers, pivots = (
+        nodal_loads(x, loads).ravel(),
+        np.empty((2 * n, HALF)),
+        np.empty(2 * n, int),
+    )
+    factorise(band, HALF, multipliers, pivots)
+    substitute(band, HALF, multipliers, pivots, deflection)
+    return deflection[::2]

@@ -1,7 +1,5 @@
 """Parameters of the material laws from a member's columns."""
 
-from scipy.optimize import brentq
-
 from ptbatch.core.concrete import (
     ELASTIC,
     HOGNESTAD,
@@ -15,6 +13,7 @@ from ptbatch.core.concrete import (
 from ptbatch.core.steel import Steel
 from ptbatch.core.tendon import BILINEAR, ELASTIC_TENDON, RAMBERG_OSGOOD, Strand
 from ptbatch.member import Member
+from ptbatch.roots import root
 
 CONCRETE_LAWS = {
     "hognestad": HOGNESTAD,
@@ -85,7 +84,7 @@ def strand(member: Member) -> Strand:
         def miss(R: float) -> float:
             return elastic * (Q + (1.0 - Q) * (1.0 + (elastic / knee) ** R) ** (-1.0 / R)) - member.fpy
 
-        R = float(brentq(miss, 1.0, 400.0)) if miss(1.0) < 0.0 < miss(400.0) else 100.0
+        R = root(miss, 1.0, 400.0) if miss(1.0) < 0.0 < miss(400.0) else 100.0
     return Strand(
         member.Aps,
         TENDON_LAWS[member.tendon_law],
