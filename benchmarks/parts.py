@@ -99,8 +99,8 @@ def part_table(members: dict[str, Member]) -> Table:
     table = Table(
         "Parts of an iteration [us], one thread",
         ["member", "beam", "contact, tendon, ends", "solution", "sum", "residual alone", "acceptance"],
-        note="An iteration is the sum, or where its tangent is still good, a solution with the residual alone; a "
-        "step ends with a residual and its acceptance. Timed at the end of the live load.",
+        note="An iteration is the sum, or where its tangent is still good, a solution with the residual "
+        "alone; a step ends with a residual and its acceptance. Timed at the end of the live load.",
     )
     for name, member in members.items():
         beam, contact, solution, look, step = parts(member)

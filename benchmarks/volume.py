@@ -3,7 +3,7 @@
 import os
 import tempfile
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 
 from benchmarks.named import REFERENCE
 from benchmarks.population import population
@@ -11,6 +11,7 @@ from benchmarks.processes import Usage, ptbatch
 from benchmarks.rows import write_rows
 from benchmarks.stagewise import timed
 from benchmarks.table import Table
+from ptbatch.analysis import analyse
 from ptbatch.member import Member
 from ptbatch.runner import run_members
 
@@ -21,7 +22,13 @@ def element_table(counts: list[int], repeats: int) -> Table:
         "Growth with elements: the 15 m beam", ["elements", "iterations", "us/iteration", "ms in all"]
     )
     for elements in counts:
-        t = timed(Member(member="15 m beam", **REFERENCE | {"elements": elements}), 1, repeats)
+        member = Member(member="15 m beam", **REFERENCE | {"elements": elements})
+        response = analyse(member)
+        if response.status != "ok":
+            table.add(elements, response.newton_iterations, "", response.status)
+            table.note += f"{elements} elements: {response.message}. "
+            continue
+        t = timed(member, 1, repeats)
         table.add(elements, t.iterations, 1e6 * t.iterating / t.iterations, 1e3 * t.whole)
     return table
 
@@ -31,18 +38,22 @@ def worker_table(count: int) -> Table:
     members = population(count)
     run_members(members[:2], 2)
     table = Table(
-        f"Members a second: {count} of the random population, tables included", ["workers", "members/s", "s"]
+        f"Members a second: {count} of the random population, tables included",
+        ["workers", "members/s", "s", "cores used"],
+        note="Cores used: CPU time by wall time. Well below the workers, the machine had other work.",
     )
     for workers in (1, 2):
-        seconds = min(_run(members, workers) for _ in range(2))
-        table.add(workers, count / seconds, seconds)
+        seconds, cores = min(_run(members, workers) for _ in range(3))
+        table.add(workers, count / seconds, seconds, cores)
     return table
 
 
-def _run(members: list[Member], workers: int) -> float:
-    start = perf_counter()
+def _run(members: list[Member], workers: int) -> tuple[float, float]:
+    """Seconds, and CPU time by wall time."""
+    start, used = perf_counter(), process_time()
     run_members(members, workers)
-    return perf_counter() - start
+    seconds = perf_counter() - start
+    return seconds, (process_time() - used) / seconds
 
 
 def row_table(counts: list[int]) -> Table:

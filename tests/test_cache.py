@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from ptbatch.core import cache
 from ptbatch.core.cache import KEPT, prune
 from ptbatch.core.jit import kernel
 
@@ -17,7 +18,7 @@ print(steel_stress(0.01, 0.0, 420.0, Steel(2e5, 2e3, 0.05)), steel_stress.stats.
 """
 
 
-def run(code: str, cache: Path) -> tuple[str, bool, str]:
+def run(code: str, kept: Path) -> tuple[str, bool, str]:
     """(what it answers, whether from the cache, what it says) of a fresh interpreter."""
     done = subprocess.run(
         [sys.executable, "-c", code],
@@ -25,7 +26,7 @@ def run(code: str, cache: Path) -> tuple[str, bool, str]:
         text=True,
         check=True,
         cwd=ROOT,
-        env=os.environ | {"PTBATCH_CACHE": str(cache)},
+        env=os.environ | {"PTBATCH_CACHE": str(kept)},
     )
     value, hit = done.stdout.split()
     return value, hit == "True", done.stderr
@@ -91,6 +92,20 @@ def test_no_folder_can_be_made(answer, tmp_path):
     assert run(temporary + STRESS, tmp_path / "file") == (value, True, "")
     nowhere = f"import tempfile; tempfile.tempdir = {str(tmp_path / 'file')!r}\n"
     assert run(nowhere + STRESS, tmp_path / "file") == (value, False, "")
+
+
+def test_a_folder_to_read_from(tmp_path, monkeypatch):
+    """One that was filled in advance, with an image of a machine for example."""
+    monkeypatch.setenv("PTBATCH_CACHE", str(tmp_path))
+    monkeypatch.setattr(cache, "_temporary", lambda: tmp_path / "temporary")
+    monkeypatch.setattr(cache, "_is_writable", lambda folder: "temporary" in str(folder))
+    filled = tmp_path / cache.source_key()
+    filled.mkdir()
+    assert cache.cache_folder() == tmp_path / "temporary" / filled.name
+    assert not cache.is_warm()
+    (filled / f"{cache.LAST}-0.nbc").touch()
+    assert cache.cache_folder() == filled
+    assert cache.is_warm()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the limit is POSIX")

@@ -42,20 +42,36 @@ def user_cache() -> Path:
 
 
 def cache_folder() -> Path | None:
-    """A writable folder for this version of the kernels: the user's, else a temporary one, else none."""
+    """A folder for this version of the kernels: the user's, be it only to read what is complete there, else
+    a temporary one, else none."""
     key = source_key()
     for parent in (user_cache, _temporary):
         try:
             folder = parent() / key
-            folder.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryFile(dir=folder):
-                pass
-            os.utime(folder)
+            if _is_writable(folder):
+                prune(folder)
+                return folder
+            if _is_complete(folder):
+                return folder
         except (OSError, RuntimeError):  # RuntimeError: no home folder
             continue
-        prune(folder)
-        return folder
     return None
+
+
+def _is_writable(folder: Path) -> bool:
+    """Whether the folder, made if need be, takes files; marks it as used."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+        os.utime(folder)
+    except OSError:
+        return False
+    return True
+
+
+def _is_complete(folder: Path) -> bool:
+    return any(folder.glob(f"{LAST}-*"))
 
 
 def _temporary() -> Path:
@@ -87,6 +103,6 @@ def is_warm() -> bool:
     """Whether a compiled analysis of this version is already on disk."""
     try:
         folders = [user_cache() / source_key(), _temporary() / source_key()]
-        return any(any(folder.glob(f"{LAST}-*")) for folder in folders)
+        return any(map(_is_complete, folders))
     except (OSError, RuntimeError):
         return False
