@@ -245,12 +245,14 @@ def _say(*lines: str) -> None:
 
 
 def _progress() -> "Progress | None":
-    """Rewrites one line of a terminal; silent elsewhere."""
-    if not sys.stderr.isatty():
-        return None
+    """Rewrites one line of a terminal; elsewhere only what takes long is said."""
     from ptbatch.core.cache import is_warm
 
-    click.echo("analysing" if is_warm() else "compiling (first run only)", err=True, nl=False)
+    terminal, warm = sys.stderr.isatty(), is_warm()
+    if terminal or not warm:
+        click.echo("analysing" if warm else "compiling (first run only)", err=True, nl=not terminal)
+    if not terminal:
+        return None
 
     def show(done: int, total: int, member: str) -> None:
         click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)
