@@ -11,6 +11,7 @@ from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 from openpyxl.comments import Comment
 from openpyxl.styles import Alignment, Font, PatternFill
 from openpyxl.utils import get_column_letter
+from openpyxl.worksheet.properties import PageSetupProperties
 
 from ptbatch.errors import WriteError
 from ptbatch.workbook.formats import number_format, width
@@ -92,6 +93,14 @@ class Page:
             cell.number_format = form
             cell._value = repr(value)  # openpyxl itself writes 16 digits, which may be one too few
         return cell
+
+
+def on_one_page(sheet: Any, area: str) -> None:
+    """Have an area of a sheet printed on one page, lying."""
+    sheet.print_area = area
+    sheet.page_setup.orientation = "landscape"
+    sheet.page_setup.fitToHeight = sheet.page_setup.fitToWidth = 1
+    sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
 
 
 def sayable(value: Any) -> Any:

@@ -45,6 +45,10 @@ class Book:
         """Add a blank sheet of openpyxl, at the end or before the one that has this place."""
         return self._book.create_sheet(name, place)
 
+    def hide(self, name: str) -> None:
+        """Hide a sheet; Excel can show it again."""
+        self._book[name].sheet_state = "hidden"
+
     def page(
         self,
         name: str,
