@@ -1,6 +1,6 @@
 """The native charts of the sheet `viewer`."""
 
-from math import floor
+from math import floor, isfinite
 from typing import Any, NamedTuple
 
 from openpyxl.chart import Reference, ScatterChart, Series
@@ -53,7 +53,9 @@ def add_charts(sheet: Any, points: Block, steps: Block, least_stress: float) -> 
     """Tendon stress along the member, from a round number below the least of all; load over deflection
     with what happened."""
     stress = _chart("Tendon stress along the member", "x [mm]", "stress [MPa]")
-    stress.y_axis.scaling.min = max(0.0, floor(least_stress / ROUND) * ROUND)
+    stress.y_axis.scaling.min = (
+        max(0.0, floor(least_stress / ROUND) * ROUND) if isfinite(least_stress) else 0.0
+    )
     for i, (name, stage) in enumerate(points.columns[2:], 2):
         analytic = name == "stress_analytic"
         _line(stress, sheet, points, i, f"{stage}, analytic" if analytic else stage, COLOURS[stage], analytic)

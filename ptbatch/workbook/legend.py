@@ -84,6 +84,13 @@ MEANINGS: Mapping[str, Mapping[str, str]] = {
 }
 
 
+def notes(name: str, headers: Sequence[str]) -> dict[str, str]:
+    """Comments on the headers of a sheet, where they are known."""
+    meanings = MEANINGS.get(name, {})
+    known = ((header, parse_header(header).name) for header in headers)
+    return {header: meanings[column] for header, column in known if column in meanings}
+
+
 def legend(sheets: Mapping[str, Sequence[str]]) -> Iterator[list[str]]:
     """Lines for these sheets, each with its headers; a column that is not known here is the user's."""
     for name, headers in sheets.items():

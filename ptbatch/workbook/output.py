@@ -10,7 +10,7 @@ from ptbatch.workbook.echo import TABLES as ECHO
 from ptbatch.workbook.echo import echo_headers, echo_lines
 from ptbatch.workbook.fields import fields
 from ptbatch.workbook.inputs import Inputs
-from ptbatch.workbook.legend import LEGEND, legend
+from ptbatch.workbook.legend import LEGEND, legend, notes
 from ptbatch.workbook.page import FullSheetError, Page
 from ptbatch.workbook.parquet import ParquetTable
 from ptbatch.workbook.places import Places
@@ -117,7 +117,8 @@ class Output:
         filed = self._folder is not None and name in FILES
         if not filed or name == "summary":
             dress = coloured if name == "summary" else None
-            yield self._book.page(name, self._headers[name], self._place(name), dress=dress)
+            comments = notes(name, self._headers[name])
+            yield self._book.page(name, self._headers[name], self._place(name), comments, dress)
         if filed:
             assert self._folder is not None
             reasons = name == "summary"

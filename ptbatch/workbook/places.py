@@ -1,7 +1,8 @@
 """Where the rows of each member stand in the long sheets, for the formulas of the sheet `viewer`."""
 
 from collections.abc import Mapping, Sequence
-from math import inf
+from itertools import chain
+from math import inf, isfinite
 from operator import itemgetter
 from typing import Any, NamedTuple
 
@@ -44,7 +45,8 @@ class Places:
             return
         self.first = self.first or (line, outcome)
         self.places.append(self._place(line["member"], outcome))
-        self.least_stress = min(self.least_stress, *map(itemgetter("stress_fe [MPa]"), outcome.tendon))
+        stresses = filter(isfinite, map(itemgetter("stress_fe [MPa]"), outcome.tendon))
+        self.least_stress = min(chain([self.least_stress], stresses))
         self.rows["tendon"] += len(outcome.tendon)
         self.rows["curves"] += len(outcome.curves)
 

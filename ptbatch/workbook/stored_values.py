@@ -6,6 +6,7 @@ before it is packed.
 
 import re
 from collections.abc import Mapping
+from math import isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
@@ -31,6 +32,8 @@ def store_values(sheet: Any, values: Mapping[str, float | str]) -> None:
 
 def _stored(match: re.Match[str], value: float | str) -> str:
     cell, attributes, formula = match.groups()
+    if isinstance(value, float) and not isfinite(value):
+        value = NOT_AVAILABLE
     if isinstance(value, str):
         kind = "e" if value == NOT_AVAILABLE else "str"
         return f'<c r="{cell}"{attributes} t="{kind}">{formula}<v>{escape(value)}</v></c>'

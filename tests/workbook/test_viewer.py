@@ -99,6 +99,14 @@ def test_no_text_of_a_user_is_in_a_formula(viewer):
     assert not any("MATCH" in text for text in texts)  # it would take * for a pattern
 
 
+def test_numbers_that_are_none(viewer):
+    """A number that is not finite would make Excel call the file damaged."""
+    result = outcome(3, 4)
+    result.tendon[1]["stress_fe [MPa]"] = float("nan")
+    _, values = viewer(("B1", result))
+    assert column(values, "stress_fe jacked")[:3] == [1000, "#N/A", 1002]
+
+
 def test_places():
     places = Places()
     places.add({"member": "bad"}, None)
@@ -136,6 +144,8 @@ def test_results_with_a_viewer(book, beam, engine):
     assert summary.auto_filter.ref.endswith("3")
     coloured = [rule.formula[0] for rules in summary.conditional_formatting for rule in rules.rules]
     assert '"not converged"' in coloured
+    assert summary["A1"].comment.text.startswith("name as typed")
+    assert summary["D2"].number_format == "0.0"
 
 
 def test_no_viewer_of_nothing(book, beam, engine):
