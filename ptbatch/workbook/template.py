@@ -8,6 +8,7 @@ from ptbatch.workbook.columns import MEMBERS, NOTE
 from ptbatch.workbook.entry import entry
 from ptbatch.workbook.optional import OPTIONAL_SHEETS, SETTINGS
 from ptbatch.workbook.starters import STARTERS
+from ptbatch.workbook.units import conversion
 from ptbatch.workbook.write import Sheet, write_workbook
 
 SHEETS: dict[str, Sequence[Column]] = {
@@ -50,11 +51,17 @@ def _explanations(system: System) -> Iterator[list[str]]:
 
 def _facts(column: Column, system: System) -> list[str]:
     """Unit, choices, limit, default, meaning and source; a dash where there is none."""
-    default = column.default_text
-    if isinstance(column.default, float) and column.unit("SI") != "-":
-        default += f" {column.unit('SI')}"
-    unit = _unit(column, system)
+    unit, default = _unit(column, system), _default(column, system)
     return [unit, _choices(column), _limit(column), default, column.meaning, column.source or "-"]
+
+
+def _default(column: Column, system: System) -> str:
+    """A number with its unit: the one in SI, which is exact, and what that is in the unit of the header."""
+    si, unit = column.unit("SI"), column.unit(system)
+    if not isinstance(column.default, float) or si == "-":
+        return column.default_text
+    other = f" ({column.default * conversion(si, unit):.4g} {unit})" if unit != si else ""
+    return f"{column.default_text} {si}{other}"
 
 
 def _unit(column: Column, system: System) -> str:
