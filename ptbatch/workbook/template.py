@@ -60,7 +60,7 @@ def _default(column: Column, system: System) -> str:
     si, unit = column.unit("SI"), column.unit(system)
     if not isinstance(column.default, float) or si == "-":
         return column.default_text
-    other = f" ({column.default * conversion(si, unit):.4g} {unit})" if unit != si else ""
+    other = f" ({column.default * conversion(si, unit):.5g} {unit})" if unit != si else ""
     return f"{column.default_text} {si}{other}"
 
 

@@ -47,8 +47,8 @@ def test_every_header_says_what_it_is(book):
         assert all(map(str.startswith, comments, [column.meaning for column in columns]))
     comments = {parse_header(cell.value).name: cell.comment.text for cell in book["members"][1]}
     us = "span [ft]" in [cell.value for cell in book["members"][1]]
-    assert f"default: 1860 MPa{' (269.8 ksi)' * us}\nsource: ASTM A416, grade 270" in comments["fpu"]
-    assert f"limit: zero or more\ndefault: 6 mm{' (0.2362 in)' * us}" in comments["set"]
+    assert f"default: 1860 MPa{' (269.77 ksi)' * us}\nsource: ASTM A416, grade 270" in comments["fpu"]
+    assert f"limit: zero or more\ndefault: 6 mm{' (0.23622 in)' * us}" in comments["set"]
     assert "choices: beam, slab" in comments["kind"]
 
 
