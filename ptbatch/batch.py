@@ -3,7 +3,7 @@
 import os
 import platform
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime
@@ -30,7 +30,7 @@ STATUSES = ("ok", "warning", "invalid", "not converged", NOT_ANALYSED)
 MANY = 2_000  # members whose long tables make a workbook that Excel can still open at ease
 NO_WORKBOOKS = (*delimited.SUFFIXES, *columnar.SUFFIXES)
 
-Progress = Callable[[int, int, str], None]  # rows done, rows in all, the member just finished
+Progress = Callable[[int, int, Sequence[Any]], None]  # rows done, rows in all, the last one's summary
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ def _run(pairs: Iterable[Pair], results: Output, total: int, progress: Progress 
         lines.add(line)
         results.add(row, line, outcome)
         if progress:
-            progress(len(lines), total, row.name)
+            progress(len(lines), total, line)
     return lines
 
 

@@ -59,6 +59,8 @@ def cli() -> None:
     help="Write summary and long tables there as Parquet [beside the results if there are over 2,000 rows].",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print the summary rows to stdout as JSON.")
+@click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors; the exit code tells the rest.")
+@click.option("-v", "--verbose", is_flag=True, help="Say of each row how it ended, as it is done.")
 def run(
     workbook: Path,
     output: Path | None,
@@ -68,6 +70,8 @@ def run(
     resume: bool,
     parquet: Path | None,
     as_json: bool,
+    quiet: bool,
+    verbose: bool,
 ) -> int:
     """Analyse the members of WORKBOOK and write a results workbook beside it.
 
@@ -78,16 +82,19 @@ def run(
     """
     if jobs and scheduler:
         raise click.UsageError("--jobs is for this machine: it goes without --scheduler")
+    if quiet and verbose:
+        raise click.UsageError("--quiet and --verbose exclude each other")
     from ptbatch.batch import results_path, run_workbook
     from ptbatch.closing import closing_table
     from ptbatch.interrupt import interruptible
 
-    _say(*_about_journal(output or results_path(workbook), resume))
-    jobs = jobs or os.cpu_count() or 1
+    if not quiet:
+        _say(*_about_journal(output or results_path(workbook), resume))
+    jobs, progress = jobs or os.cpu_count() or 1, _progress(quiet, verbose)
     try:
         with interruptible() as stop:
             outcomes = _outcomes_of(scheduler, stop) if scheduler else None
-            settings = (workbook, output, jobs, only, _progress(), outcomes)
+            settings = (workbook, output, jobs, only, progress, outcomes)
             batch = run_workbook(*settings, resume=resume, parquet=parquet, stop=stop)
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
@@ -95,7 +102,8 @@ def run(
         from ptbatch.workbook.results import summary_records
 
         _print_json(summary_records(batch.headers, batch.lines))
-    _say(*closing_table(batch))
+    if not quiet:
+        _say(*closing_table(batch))
     if batch.interrupted:
         return INTERRUPTED
     return INVALID_ROWS if batch.failed else OK
@@ -156,7 +164,10 @@ def compare(
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--units", type=click.Choice(["SI", "US"], case_sensitive=False), default="SI")
 def template(file: Path, units: Literal["SI", "US"]) -> int:
-    """Write a workbook with all columns and an example row to FILE."""
+    """Write a workbook to start from to FILE: it runs as it is, with a member of each kind.
+
+    Its headers have comments, its columns drop-down lists and limits, and the optional sheets rows in use.
+    """
     from ptbatch.workbook.template import write_template
 
     _say(f"written: {write_template(file, units)}")
@@ -204,6 +215,22 @@ def plot(
     return INVALID_ROWS if drawn.lacking else OK
 
 
+@cli.command(epilog=EPILOG)
+def doctor() -> int:
+    """Check this installation and say what to do: packages, cache, disk, compiler, a known member.
+
+    Exit code 0 if ptbatch can work, 1 if not.
+    """
+    from ptbatch.doctor import examine
+
+    faults = 0
+    for finding in examine():
+        _say(str(finding))
+        faults += finding.state == "fault"
+    _say(f"{faults} to be put right" if faults else "ptbatch can work here")
+    return FAILED if faults else OK
+
+
 def main(args: Sequence[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code."""
     code = exit_code(args)
@@ -244,20 +271,19 @@ def _say(*lines: str) -> None:
         click.echo(line, err=True)
 
 
-def _progress() -> "Progress | None":
-    """Rewrites one line of a terminal; elsewhere only what takes long is said."""
+def _progress(quiet: bool, verbose: bool) -> "Progress | None":
+    """Tells of the rows as they are done: on a terminal, or if each shall have a line of its own. That the
+    first run compiles, which takes long, is said elsewhere as well."""
     from ptbatch.core.cache import is_warm
 
-    terminal, warm = sys.stderr.isatty(), is_warm()
-    if terminal or not warm:
-        click.echo("analysing" if warm else "compiling (first run only)", err=True, nl=not terminal)
-    if not terminal:
+    terminal = sys.stderr.isatty()
+    if not (quiet or terminal or is_warm()):
+        _say("compiling (first run only)")
+    if quiet or not (terminal or verbose):
         return None
+    from ptbatch.progress import Meter
 
-    def show(done: int, total: int, member: str) -> None:
-        click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)
-
-    return show
+    return Meter(lambda text: click.echo(text, err=True, nl=False), terminal, verbose)
 
 
 def _about_journal(results: Path, resume: bool) -> Iterator[str]:

@@ -114,7 +114,9 @@ def test_file_in_use(book, beam, engine, monkeypatch, capsys):
 def test_progress_on_a_terminal(book, beam, engine, monkeypatch, capsys):
     monkeypatch.setattr("sys.stderr.isatty", lambda: True)
     exit_code(["run", str(book(beam, beam | {"member": "B2"})), "--jobs", "1"])
-    assert "2 of 2  B2" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert "2 of 2  " in err
+    assert "all done  B2\n" in err
 
 
 @pytest.mark.parametrize("terminal", [True, False])

@@ -48,7 +48,7 @@ class Column:
 
     default: a value in the SI unit of the column, a `Derived`, or None where there is none.
     us: unit of US headers without one, where it is not that of the quantity.
-    example: what the template shows, in the SI and in the US unit; None leaves the cell blank.
+    source: where the default or the law comes from.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Column:
     limit: str = "positive"
     choices: tuple[str, ...] = ()
     us: str = ""
-    example: tuple[Any, Any] | None = None
+    source: str = ""
 
     def unit(self, system: System) -> str:
         """Unit of a header that names none."""

@@ -11,7 +11,7 @@ SUPPORTS = ("pin", "roller", "fixed", "free")
 NO_BARS = Derived("none", (), tuple)
 
 MEMBERS = (
-    Column("member", "unique name", "text", required=True, example=("B1", "B1")),
+    Column("member", "unique name", "text", required=True),
     Column("kind", "beam, or slab for a design strip", "choice", default="beam", choices=("beam", "slab")),
     Column(
         "span",
@@ -20,7 +20,6 @@ MEMBERS = (
         "length",
         required=True,
         us="ft",
-        example=(12000, 40),
     ),
     Column("support_left", "support at the left end", "choice", default="pin", choices=SUPPORTS),
     Column("support_right", "support at the right end", "choice", default="roller", choices=SUPPORTS),
@@ -31,8 +30,8 @@ MEMBERS = (
         default="rectangle",
         choices=("rectangle", "tee", "i", "box"),
     ),
-    Column("b", "overall width", quantity="length", required=True, example=(300, 12)),
-    Column("h", "overall depth", quantity="length", required=True, example=(600, 24)),
+    Column("b", "overall width", quantity="length", required=True),
+    Column("h", "overall depth", quantity="length", required=True),
     Column("bw", "tee, i: width of the web; box: sum of its webs", quantity="length"),
     Column("hf", "tee, i, box: thickness of the top flange", quantity="length"),
     Column(
@@ -47,19 +46,21 @@ MEMBERS = (
         quantity="length",
         default=Derived("hf for a box", ("shape", "hf"), lambda shape, hf: hf if shape == "box" else None),
     ),
-    Column("fc", "cylinder strength of the concrete", quantity="stress", required=True, example=(40, 6)),
+    Column("fc", "cylinder strength of the concrete", quantity="stress", required=True),
     Column(
         "ft",
         "tensile strength of the concrete",
         quantity="stress",
         limit="not negative",
         default=Derived("0.62 sqrt(fc), in MPa", ("fc",), lambda fc: 0.62 * sqrt(fc)),
+        source="ACI 318-19, 19.2.3.1",
     ),
     Column(
         "Ec",
         "modulus of the concrete",
         quantity="stress",
         default=Derived("4700 sqrt(fc), in MPa", ("fc",), lambda fc: 4700.0 * sqrt(fc)),
+        source="ACI 318-19, 19.2.2.1",
     ),
     Column(
         "concrete_law",
@@ -67,6 +68,7 @@ MEMBERS = (
         "choice",
         default="hognestad",
         choices=("hognestad", "parabola-rectangle", "popovics", "elastic"),
+        source="Hognestad (1951); EN 1992-1-1, 3.1.7; Popovics (1973)",
     ),
     Column(
         "crushing_strain",
@@ -77,6 +79,7 @@ MEMBERS = (
             ("concrete_law",),
             lambda law: 0.0035 if law == "parabola-rectangle" else 0.0038,
         ),
+        source="Hognestad (1951); EN 1992-1-1, Table 3.1",
     ),
     Column(
         "tension_law",
@@ -93,24 +96,31 @@ MEMBERS = (
         "tendon area, per member or per strip",
         quantity="area",
         required=True,
-        example=(592, 0.918),
     ),
-    Column("fpu", "strength of the tendon", quantity="stress", default=1860.0),
+    Column("fpu", "strength of the tendon", quantity="stress", default=1860.0, source="ASTM A416, grade 270"),
     Column(
         "fpy",
         "yield stress of the tendon",
         quantity="stress",
         default=Derived("0.9 fpu", ("fpu",), lambda fpu: 0.9 * fpu),
+        source="ASTM A416, low relaxation",
     ),
-    Column("Ep", "modulus of the tendon", quantity="stress", default=195000.0),
+    Column("Ep", "modulus of the tendon", quantity="stress", default=195000.0, source="EN 1992-1-1, 3.3.6"),
     Column(
         "tendon_law",
         "bilinear: to fpy, then straight to fpu at epu",
         "choice",
         default="ramberg-osgood",
         choices=("ramberg-osgood", "bilinear", "elastic"),
+        source="Ramberg and Osgood (1943)",
     ),
-    Column("epu", "rupture strain of the tendon", limit="fraction", default=0.035),
+    Column(
+        "epu",
+        "rupture strain of the tendon",
+        limit="fraction",
+        default=0.035,
+        source="ASTM A416, least elongation",
+    ),
     Column(
         "profile",
         "shape of the tendon",
@@ -125,7 +135,6 @@ MEMBERS = (
         "list",
         "length",
         required=True,
-        example=("300; 500; 300", "12; 20; 12"),
     ),
     Column(
         "harp",
@@ -144,7 +153,6 @@ MEMBERS = (
         "fpj",
         "stress at the live end while jacking: give fpj or fpe",
         quantity="stress",
-        example=(1395, 202.5),
     ),
     Column("fpe", "mean stress wanted after anchoring: give fpj or fpe", quantity="stress"),
     Column("jack", "live end", "choice", default="left", choices=("left", "right", "both")),
@@ -155,12 +163,20 @@ MEMBERS = (
         limit="not negative",
         default=6.0,
     ),
-    Column("mu", "curvature friction", quantity="friction", limit="not negative", default=0.07),
+    Column(
+        "mu",
+        "curvature friction",
+        quantity="friction",
+        limit="not negative",
+        default=0.07,
+        source="greased and sheathed strand; for grouted ducts 0.15 to 0.25 is usual",
+    ),
     Column(
         "k_ec2",
         "wobble as an angle: K = mu k_ec2. Give K or k_ec2, not both",
         quantity="angle per length",
         limit="not negative",
+        source="EN 1992-1-1, 5.10.5.2: 0.005 to 0.01 rad/m",
     ),
     Column(
         "K",
@@ -170,6 +186,7 @@ MEMBERS = (
         default=Derived(
             "0.0033 1/m, or mu k_ec2", ("mu", "k_ec2"), lambda mu, k: 3.3e-6 if k is None else mu * k
         ),
+        source="greased and sheathed strand; Huang and Kang (2018), eq. (38)",
     ),
     Column(
         "wobble",
@@ -178,6 +195,7 @@ MEMBERS = (
         "choice",
         default="direct",
         choices=("direct", "sine"),
+        source="Huang and Kang (2018)",
     ),
     Column(
         "sheathing",
@@ -206,8 +224,8 @@ MEMBERS = (
     ),
     Column("As_top", "areas of top bars", "list", "area", NO_BARS, limit="not negative"),
     Column("ds_top", "depths of the bars As_top", "list", "length", NO_BARS, limit="not negative"),
-    Column("fy", "yield stress of the bars", quantity="stress", default=420.0),
-    Column("Es", "modulus of the bars", quantity="stress", default=200000.0),
+    Column("fy", "yield stress of the bars", quantity="stress", default=420.0, source="ASTM A615, grade 60"),
+    Column("Es", "modulus of the bars", quantity="stress", default=200000.0, source="EN 1992-1-1, 3.2.7"),
     Column(
         "hardening",
         "slope after yield as a fraction of Es",
@@ -221,7 +239,6 @@ MEMBERS = (
         quantity="line load",
         limit="not negative",
         default=0.0,
-        example=(5, 0.35),
     ),
     Column(
         "live",
@@ -235,7 +252,6 @@ MEMBERS = (
         "live=uniform: service load; load factor 1",
         quantity="line load",
         limit="not negative",
-        example=(10, 0.7),
     ),
     Column(
         "P_live",

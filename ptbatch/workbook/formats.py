@@ -15,7 +15,7 @@ _WIDTHS = {
     **{"member": 26, "status": 14, "message": 70, "failure": 20, "event": 20, "stage": 10},
     **{"span": 18, "dp": 28, "note": 60},
     **{"what is wrong": 60, "how to put it right": 60, "value": 30, "name": 24, "meaning": 90, "default": 36},
-    **{"column": 20, "choices": 46},
+    **{"column": 20, "choices": 46, "limit": 16},
     **{"case": 26, "quantity": 46, "ours": 12, "theirs": 12, "tolerance": 14, "verdict": 16, "because": 60},
     **{"source": 60, "class": 12, "not_reproducible": 40},
 }

@@ -10,14 +10,18 @@ from ptbatch.workbook.echo import TABLES as ECHO
 from ptbatch.workbook.echo import echo_headers, echo_lines
 from ptbatch.workbook.fields import fields
 from ptbatch.workbook.inputs import Inputs
-from ptbatch.workbook.page import FullSheetError
+from ptbatch.workbook.legend import LEGEND, legend, notes
+from ptbatch.workbook.page import FullSheetError, Page
 from ptbatch.workbook.parquet import ParquetTable
+from ptbatch.workbook.places import Places
 from ptbatch.workbook.problems import Listed, Problem
 from ptbatch.workbook.results import DETAILS, PROBLEMS, Outcome, detail_lines, summary_headers
 from ptbatch.workbook.rows import Row
+from ptbatch.workbook.status import coloured
+from ptbatch.workbook.viewer import write_viewer
 from ptbatch.workbook.write import Book, unwritable
 
-ORDER = ("summary", *DETAILS, "problems", *ECHO, "run")
+ORDER = ("summary", "viewer", *DETAILS, "problems", *ECHO, "run", "legend", "places")
 ALWAYS = ("summary", *DETAILS, "problems", "members")
 FILES = ("summary", *DETAILS, *ECHO)  # that Parquet can take
 CURE = "let --parquet FOLDER take the long tables; with --resume nothing is analysed again"
@@ -33,8 +37,8 @@ class Table(Protocol):
 class Output:
     """Results of a run on their way to `path`, and to Parquet files in `folder` if there is one.
 
-    With a folder the workbook holds summary, problems and run; the files hold the rest and the summary as
-    well. Raises WriteError.
+    With a folder the workbook holds summary, problems, run and legend, and no viewer; the files hold the
+    rest and the summary as well. Raises WriteError.
     """
 
     def __init__(self, path: Path, inputs: Inputs, folder: Path | None = None) -> None:
@@ -46,6 +50,7 @@ class Output:
         self._tables: dict[str, list[Table]] = {}
         self._files: list[ParquetTable] = []
         self._listed, self._unlisted = Listed(), 0
+        self._places = Places()
         try:
             self._open(inputs.problems)
         except BaseException:
@@ -64,6 +69,8 @@ class Output:
         """Add a row of the input: its line of the summary, and its outcome (None where it is invalid)."""
         with unwritable(self._folder or self._path):
             self._lines("summary", [line])
+            if not self._folder:
+                self._places.add(dict(zip(self._headers["summary"], line, strict=True)), outcome)
             for name in DETAILS:
                 self._lines(name, detail_lines(row, outcome, name))
             self._add_problems(row.problems)
@@ -78,6 +85,7 @@ class Output:
             unlisted = {"problems beyond the sheet": self._unlisted} if self._unlisted else {}
             for item in chain(run.items(), unlisted.items()):
                 page.add(item)
+            self._explain()
             for file in self._files:
                 file.finish()
             if self._folder:
@@ -85,6 +93,18 @@ class Output:
                     if name not in self._tables:  # nobody uses it: one of an earlier run would mislead
                         (self._folder / f"{name}.parquet").unlink(missing_ok=True)
         return self._book.save(self._path)
+
+    def _explain(self) -> None:
+        """Filters on the tables; legend and viewer, which come when all rows are known."""
+        for name in ("summary", "problems", *DETAILS):
+            for table in self._tables.get(name, ()):
+                if isinstance(table, Page):
+                    table.filtered()
+        page = self._book.page("legend", LEGEND)
+        for line in legend(self._headers):
+            page.add(line)
+        if self._places.places:
+            write_viewer(self._book, self._places, self._place("viewer"))
 
     def discard(self) -> None:
         """Delete what is not in its place."""
@@ -96,14 +116,19 @@ class Output:
         """Where a table goes."""
         filed = self._folder is not None and name in FILES
         if not filed or name == "summary":
-            place = sum(ORDER.index(other) < ORDER.index(name) for other in self._book.names)
-            yield self._book.page(name, self._headers[name], place)
+            dress = coloured if name == "summary" else None
+            comments = notes(name, self._headers[name])
+            yield self._book.page(name, self._headers[name], self._place(name), comments, dress)
         if filed:
             assert self._folder is not None
             reasons = name == "summary"
             file = ParquetTable(self._folder / f"{name}.parquet", fields(name, self._headers[name]), reasons)
             self._files.append(file)
             yield file
+
+    def _place(self, name: str) -> int:
+        """Place of a new sheet among those that there are."""
+        return sum(ORDER.index(other) < ORDER.index(name) for other in self._book.names)
 
     def _lines(self, name: str, lines: Iterable[Sequence[Any]]) -> None:
         for line in lines:

@@ -1,6 +1,6 @@
 """A sheet of a new workbook, filled row by row: texts that cannot become formulas, readable headers."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import date, time, timedelta
 from math import isfinite
 from numbers import Integral, Real
@@ -8,17 +8,27 @@ from typing import Any
 
 from openpyxl.cell import WriteOnlyCell
 from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
-from openpyxl.styles import Alignment, Font
+from openpyxl.comments import Comment
+from openpyxl.styles import Alignment, Font, PatternFill
 from openpyxl.utils import get_column_letter
+from openpyxl.worksheet.properties import PageSetupProperties
 
 from ptbatch.errors import WriteError
 from ptbatch.workbook.formats import number_format, width
 from ptbatch.workbook.read import LAST_ROW
 
+TEXT = "@"  # format of a cell that Excel makes no number or date of
 LONGEST_TEXT = 32_767  # of an Excel cell
 _BOLD = Font(name="Calibri", size=11, bold=True)
 _WRAPPED = Alignment(wrap_text=True, vertical="top")
+_SHADED = PatternFill("solid", fgColor="E8EDF3")
 _TWO_LINES = 30  # height of a row
+_AUTHOR, _COMMENT_WIDTH, _LETTERS, _LINE = (
+    "ptbatch",
+    300,
+    44,
+    18,
+)  # of a comment: points, letters a line, points
 
 
 class FullSheetError(WriteError):
@@ -26,16 +36,23 @@ class FullSheetError(WriteError):
 
 
 class Page:
-    """A sheet that rows are added to; they go to disk at once. sheet: a write-only one of openpyxl."""
+    """A sheet that rows are added to; they go to disk at once.
 
-    def __init__(self, sheet: Any, headers: Sequence[str]) -> None:
-        self._sheet = sheet
+    sheet: a write-only one of openpyxl; formats that its columns have already are kept. notes: comments on
+    headers.
+    """
+
+    def __init__(self, sheet: Any, headers: Sequence[str], notes: Mapping[str, str] | None = None) -> None:
+        self._sheet, self._width = sheet, len(headers)
         sheet.freeze_panes = "B2"
+        self._formats = []
         for i, header in enumerate(headers, 1):
-            sheet.column_dimensions[get_column_letter(i)].width = width(header)
+            column = sheet.column_dimensions[get_column_letter(i)]
+            column.width = width(header)
+            own = column.number_format
+            self._formats.append(number_format(header) if own == "General" else own)
         sheet.row_dimensions[1].height = _TWO_LINES
-        sheet.append([self._header(text) for text in headers])
-        self._formats = [number_format(header) for header in headers]
+        sheet.append([self._header(text, (notes or {}).get(text, "")) for text in headers])
         self._rows = 1
 
     @property
@@ -52,9 +69,16 @@ class Page:
             [self._cell(value, form) for value, form in zip(values, self._formats, strict=True)]
         )
 
-    def _header(self, text: str) -> Any:
+    def filtered(self) -> None:
+        """Give the headers buttons that filter the rows; once all rows are there."""
+        self._sheet.auto_filter.ref = f"A1:{get_column_letter(self._width)}{self._rows}"
+
+    def _header(self, text: str, note: str) -> Any:
         cell = self._cell(text, "General")
-        cell.font, cell.alignment = _BOLD, _WRAPPED
+        cell.font, cell.alignment, cell.fill = _BOLD, _WRAPPED, _SHADED
+        if note:
+            lines = sum(1 + len(line) // _LETTERS for line in note.splitlines())
+            cell.comment = Comment(note, _AUTHOR, height=_LINE * (lines + 1), width=_COMMENT_WIDTH)
         return cell
 
     def _cell(self, value: Any, form: str) -> Any:
@@ -63,10 +87,20 @@ class Page:
         if isinstance(value, str):
             cell.data_type = "s"  # also where it begins like a formula
             cell.quotePrefix = value[:1] in ("=", "+", "-", "@")
+            if form == TEXT:
+                cell.number_format = form
         elif isinstance(value, float):
             cell.number_format = form
             cell._value = repr(value)  # openpyxl itself writes 16 digits, which may be one too few
         return cell
+
+
+def on_one_page(sheet: Any, area: str) -> None:
+    """Have an area of a sheet printed on one page, lying."""
+    sheet.print_area = area
+    sheet.page_setup.orientation = "landscape"
+    sheet.page_setup.fitToHeight = sheet.page_setup.fitToWidth = 1
+    sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
 
 
 def sayable(value: Any) -> Any:

@@ -1,7 +1,7 @@
 """Writing a new workbook: a file that is whole or not there at all."""
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,13 +14,20 @@ from ptbatch.workbook.page import Page
 
 NAMES_TRIED = 99
 
+Dress = Callable[[Any], None]
+
 
 class Sheet(NamedTuple):
-    """A sheet to be written: its name, its headers, its rows from below the header on."""
+    """A sheet to be written: its name, its headers, its rows from below the header on.
+
+    notes: comments on headers. dress: what is done to the sheet of openpyxl before anything is in it.
+    """
 
     name: str
     headers: Sequence[str]
     rows: Iterable[Sequence[Any]]
+    notes: Mapping[str, str] | None = None
+    dress: Dress | None = None
 
 
 class Book:
@@ -34,9 +41,27 @@ class Book:
         """Its sheets in their order."""
         return list(self._book.sheetnames)
 
-    def page(self, name: str, headers: Sequence[str], place: int | None = None) -> Page:
-        """Add a sheet, at the end or before the one that has this place."""
-        return Page(self._book.create_sheet(name, place), headers)
+    def sheet(self, name: str, place: int | None = None) -> Any:
+        """Add a blank sheet of openpyxl, at the end or before the one that has this place."""
+        return self._book.create_sheet(name, place)
+
+    def hide(self, name: str) -> None:
+        """Hide a sheet; Excel can show it again."""
+        self._book[name].sheet_state = "hidden"
+
+    def page(
+        self,
+        name: str,
+        headers: Sequence[str],
+        place: int | None = None,
+        notes: Mapping[str, str] | None = None,
+        dress: Dress | None = None,
+    ) -> Page:
+        """Add a table, at the end or before the sheet that has this place; the others as in `Sheet`."""
+        sheet = self.sheet(name, place)
+        if dress:
+            dress(sheet)
+        return Page(sheet, headers, notes)
 
     def save(self, path: Path, replace: bool = True) -> Path:
         """Save it and return its path: the next free name if the file is there and held open.
@@ -69,7 +94,7 @@ def write_workbook(path: Path, sheets: Iterable[Sheet], replace: bool = True) ->
     try:
         with unwritable(path):
             for sheet in sheets:
-                page = book.page(sheet.name, sheet.headers)
+                page = book.page(sheet.name, sheet.headers, notes=sheet.notes, dress=sheet.dress)
                 for row in sheet.rows:
                     page.add(row)
         return book.save(path, replace)

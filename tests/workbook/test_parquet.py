@@ -70,7 +70,7 @@ def test_long_tables_go_to_files(book, beam, engine, tmp_path):
     rows = beam, beam | {"member": "B2", "fc": "x"}, beam | {"member": "stuck"}
     source, folder = book(*rows, rebar=rebar), tmp_path / "files"
     batch = run_workbook(source, parquet=folder)
-    assert load_workbook(batch.path).sheetnames == ["summary", "problems", "run"]
+    assert load_workbook(batch.path).sheetnames == ["summary", "problems", "run", "legend"]
     assert dict(load_workbook(batch.path)["run"].values)[LONG_TABLES] == "files"
     assert sorted(path.name for path in folder.iterdir()) == [
         f"{name}.parquet" for name in ("cracks", "curves", "members", "rebar", "summary", "tendon")
@@ -125,13 +125,13 @@ def test_many_members_make_files_by_themselves(book, beam, engine, monkeypatch, 
 
 def test_a_full_sheet(book, beam, engine, monkeypatch, capsys):
     """The cure keeps what was analysed."""
-    path = book(*(beam | {"member": f"B{i}"} for i in range(30)))
-    monkeypatch.setattr("ptbatch.workbook.page.LAST_ROW", 41)
+    path = book(*(beam | {"member": f"B{i}"} for i in range(60)))
+    monkeypatch.setattr("ptbatch.workbook.page.LAST_ROW", 81)
     assert exit_code(["run", str(path)]) == 4
-    assert "sheet curves has 41 rows, more than Excel takes; let --parquet FOLDER" in capsys.readouterr().err
+    assert "sheet curves has 81 rows, more than Excel takes; let --parquet FOLDER" in capsys.readouterr().err
     folder = str(path.with_name("files"))
     assert exit_code(["run", str(path), "--resume", "--parquet", folder]) == 0
-    assert "21 rows from the journal" in capsys.readouterr().err
+    assert "41 rows from the journal" in capsys.readouterr().err
 
 
 def test_without_pyarrow(table, book, beam, engine, monkeypatch, capsys):

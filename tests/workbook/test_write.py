@@ -127,7 +127,18 @@ def test_results(book, beam, engine):
     batch = run_workbook(source, jobs=2)
     assert source.read_bytes() == before
     assert batch.path == results_path(source) == source.with_name("beams.results.xlsx")
-    sheets = ["summary", "tendon", "curves", "cracks", "problems", "members", "run"]
+    sheets = [
+        "summary",
+        "viewer",
+        "tendon",
+        "curves",
+        "cracks",
+        "problems",
+        "members",
+        "run",
+        "legend",
+        "places",
+    ]
     assert load_workbook(batch.path).sheetnames == sheets
     summary = sheet(batch.path, "summary")
     assert list(summary[0]) == ["member", "status", "message", *SUMMARY, "note", "Status"]

@@ -1,0 +1,101 @@
+"""What every column of the results means: the sheet `legend`."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ptbatch.workbook.units import parse_header
+
+LEGEND = ("sheet", "column", "unit", "meaning")
+_TYPED = "as typed in the input"
+_STRESS = "of the tendon over its whole length"
+_ANALYTIC = "P = P0 exp(-(mu alpha + K x)) on the exact angle of the profile"
+
+MEANINGS: Mapping[str, Mapping[str, str]] = {
+    "summary": {
+        "member": "name as typed; one row per row of the input, in its order",
+        "status": "ok; warning (see message); invalid (see the sheet problems); not converged (no capacity); "
+        "not analysed (the run was interrupted)",
+        "message": "what is to be known of this row",
+        "jacking_stress": "jack force / Aps, at the live end's anchor",
+        "elongation_before_set": "of the tendon at the jack, before the wedges draw in",
+        "elongation_after_set": "the same after the wedge set",
+        "loss_jacking_end_fe": "1 - stress after anchoring / jacking stress at the live end, by the analysis",
+        "loss_jacking_end_analytic": f"the same by {_ANALYTIC}, with the wedge set as the area between two "
+        "curves",
+        "loss_fixed_end_fe": "the same at the fixed end; with two live ends where the stress is least",
+        "loss_fixed_end_analytic": "the same, analytically",
+        "set_length_fe": "how far the wedge set is felt, by the analysis",
+        "set_length_analytic": "the same, analytically",
+        "stress_anchored_min": f"least stress {_STRESS}, after anchoring",
+        "stress_anchored_mean": f"mean stress {_STRESS}, after anchoring",
+        "stress_anchored_max": f"largest stress {_STRESS}, after anchoring",
+        "camber_anchored": "at the control point after anchoring, up positive",
+        "load_cracking": "total live load on the member at the first crack",
+        "load_yield": "the same when the first bar or tendon yields",
+        "load_peak": "the largest total live load up to the first failure or to deflection_limit",
+        "load_factor_peak": "load_peak in multiples of the service value",
+        "deflection_peak": "at the control point at the peak, down positive, from the anchored state",
+        "moment_peak": "largest section moment at the peak, all loads included",
+        "tendon_stress_peak_mean": f"mean stress {_STRESS}, at the peak",
+        "tendon_stress_peak_max": f"largest stress {_STRESS}, at the peak",
+        "failure": "what ended the member: a material, or deflection limit",
+        "residual_max": "largest accepted out-of-balance by statics, relative to the jacking force",
+        "newton_iterations": "all tries of the solver, failed ones as well",
+        "time": "of the analysis of this row",
+        "failure_x": "where the first material reached its limit strain, from the left end",
+        "failure_load": "total live load then",
+        "failure_deflection": "deflection at the control point then",
+    },
+    "tendon": {
+        "member": "name; one row per tendon element and per anchor, at each stage",
+        "stage": "jacked, set, anchored, peak, end (the last step, where that is not the peak)",
+        "x": "middle of the tendon element, or place of the anchor, from the left end",
+        "stress_fe": "stress of the tendon by the analysis",
+        "stress_analytic": f"stress by {_ANALYTIC}; none from the live load on",
+        "slip": "of the tendon against the duct since jacking began",
+    },
+    "curves": {
+        "member": "name; one row per step from the anchored state on",
+        "step": "0 is the anchored state",
+        "load_factor": "live load in multiples of the service value",
+        "load": "total live load on the member",
+        "deflection": "at the control point, down positive, from the anchored state",
+        "moment_max": "largest section moment, all loads included",
+        "tendon_stress_min": f"least stress {_STRESS}",
+        "tendon_stress_mean": f"mean stress {_STRESS}",
+        "tendon_stress_max": f"largest stress {_STRESS}",
+        "event": "what happened by this step: cracking, yield, peak, a failure",
+    },
+    "cracks": {
+        "member": "name; one row per cracked stretch of a section",
+        "stage": "anchored, peak, end",
+        "step": "of the sheet curves",
+        "x": "place of the section, from the left end",
+        "crack_from": "depth below the top fibre where the crack begins",
+        "crack_to": "depth where it ends",
+    },
+    "problems": {
+        "sheet": "of the input",
+        "cell": "of the input",
+        "column": "its header",
+        "value": "as typed",
+        "what is wrong": "faults make a row invalid, warnings do not",
+        "how to put it right": "the cure",
+    },
+}
+
+
+def notes(name: str, headers: Sequence[str]) -> dict[str, str]:
+    """Comments on the headers of a sheet, where they are known."""
+    meanings = MEANINGS.get(name, {})
+    known = ((header, parse_header(header).name) for header in headers)
+    return {header: meanings[column] for header, column in known if column in meanings}
+
+
+def legend(sheets: Mapping[str, Sequence[str]]) -> Iterator[list[str]]:
+    """Lines for these sheets, each with its headers; a column that is not known here is the user's."""
+    for name, headers in sheets.items():
+        for header in headers:
+            if name in MEANINGS:
+                column, unit = parse_header(header)
+                meaning = MEANINGS[name].get(column)
+                yield [name, column, unit or "-", meaning] if meaning else [name, header, "-", _TYPED]

@@ -1,0 +1,77 @@
+"""Where the rows of each member stand in the long sheets, for the formulas of the sheet `viewer`."""
+
+from collections.abc import Mapping, Sequence
+from itertools import chain
+from math import inf, isfinite
+from operator import itemgetter
+from typing import Any, NamedTuple
+
+from ptbatch.workbook.results import Outcome
+
+VIEWED = ("jacked", "set", "anchored", "peak")  # stages
+PLACES = ("member", "summary", *VIEWED, "points", "curves", "steps")
+NONE = "none"  # where a member has no such rows
+
+
+class Place(NamedTuple):
+    """A member: its row in each sheet, counted from 1 below the headers; how many tendon points a stage has
+    and how many steps its curve."""
+
+    member: str
+    summary: int
+    stages: tuple[int | str, ...]
+    points: int
+    curves: int | str
+    steps: int
+
+    def line(self) -> list[Any]:
+        """Its line under PLACES."""
+        return [self.member, self.summary, *self.stages, self.points, self.curves, self.steps]
+
+
+class Places:
+    """Places of all members with results, in their order; the results of the first of them are kept."""
+
+    def __init__(self) -> None:
+        self.places: list[Place] = []
+        self.first: tuple[Mapping[str, Any], Outcome] | None = None
+        self.least_stress = inf
+        self.rows = {"summary": 0, "tendon": 0, "curves": 0}
+
+    def add(self, line: Mapping[str, Any], outcome: Outcome | None) -> None:
+        """Count a row of the summary, by header, and the rows of its outcome."""
+        self.rows["summary"] += 1
+        if outcome is None or not outcome.tendon:
+            return
+        self.first = self.first or (line, outcome)
+        self.places.append(self._place(line["member"], outcome))
+        stresses = filter(isfinite, map(itemgetter("stress_fe [MPa]"), outcome.tendon))
+        self.least_stress = min(chain([self.least_stress], stresses))
+        self.rows["tendon"] += len(outcome.tendon)
+        self.rows["curves"] += len(outcome.curves)
+
+    def _place(self, member: str, outcome: Outcome) -> Place:
+        stages = [row["stage"] for row in outcome.tendon]
+        return Place(
+            member,
+            self.rows["summary"],
+            tuple(self.rows["tendon"] + stages.index(s) + 1 if s in stages else NONE for s in VIEWED),
+            stages.count(stages[0]),
+            self.rows["curves"] + 1 if outcome.curves else NONE,
+            len(outcome.curves),
+        )
+
+    @property
+    def most_points(self) -> int:
+        """Of a member at a stage."""
+        return max(place.points for place in self.places)
+
+    @property
+    def most_steps(self) -> int:
+        """Of a member's curve, at least 1."""
+        return max(1, *(place.steps for place in self.places))
+
+
+def stage_rows(outcome: Outcome, stage: str) -> Sequence[Mapping[str, Any]]:
+    """Rows of the sheet `tendon` at a stage."""
+    return [row for row in outcome.tendon if row["stage"] == stage]
