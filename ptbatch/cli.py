@@ -193,6 +193,35 @@ def plot(
     return INVALID_ROWS if drawn.lacking else OK
 
 
+@cli.command(epilog=EPILOG)
+@click.argument("results", type=click.Path(path_type=Path))
+@click.option("--member", "members", multiple=True, metavar="M", help="May be repeated [all members].")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="An .html file, or a folder [RESULTS.report.html].",
+)
+def report(results: Path, members: Sequence[str], output: Path | None) -> int:
+    """Write the members of RESULTS as one HTML file, to be read and printed.
+
+    An overview, then of each member: drawing, input, tendon stresses by stage, losses with their formulas and
+    numbers, capacity, figures and messages. The file needs no other file and no network; the browser prints
+    it on A4, each member from a new page. Of a member that is invalid or did not converge it has what exists
+    and says why the rest is missing (exit code 3).
+    """
+    from ptbatch.report import write_report
+
+    try:
+        reported = write_report(results, members, output)
+    except UnknownMemberError as error:
+        raise click.BadParameter(str(error), param_hint="--member") from error
+    except OutputNameError as error:
+        raise click.BadParameter(str(error), param_hint="-o") from error
+    _say(*reported.lacking, f"written: {reported.path}")
+    return INVALID_ROWS if reported.lacking else OK
+
+
 def main(args: Sequence[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code."""
     code = exit_code(args)
