@@ -30,17 +30,26 @@ class Event(NamedTuple):
 
 
 def events(stored: Stored) -> list[Event]:
-    """Cracking, yield and peak, and the failure of a material. The results name a place for the last alone."""
+    """Cracking, yield and peak, and the failure of a material, of which alone the results have the place."""
     found = {mark.name: mark for mark in marks(stored)}
     rows = []
     for name in EVENTS:
         load = stored.value(f"load_{name} [kN]")
         if np.isfinite(load):
             deflection = fixed(found[name].deflection, "mm") if name in found else DASH
-            rows.append(Event(name, fixed(load, "kN"), _factor(stored, load), deflection, DASH))
+            rows.append(
+                Event(name, fixed(load, "kN"), _factor(stored, load), deflection, _place(stored, load))
+            )
         else:
             rows.append(Event(name, reason=said(stored.summary.get(f"load_{name} [kN]"), "kN")))
     return [*rows, _failure(stored)]
+
+
+def _place(stored: Stored, load: float) -> str:
+    """Where a material fails, of an event under the same load."""
+    x = stored.value("failure_x [mm]")
+    fails = np.isfinite(x) and np.isclose(load, stored.value("failure_load [kN]"), rtol=1e-9)
+    return f"x = {fixed(x / 1e3, 'm')} m" if fails else DASH
 
 
 def _factor(stored: Stored, load: float) -> str:

@@ -9,10 +9,12 @@ import numpy as np
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.losses import End, Losses, analytic_losses
 from ptbatch.member import Member
-from ptbatch.report.words import digits, fixed, said
+from ptbatch.report.words import MINUS, digits, fixed, said
 from ptbatch.response import JACKED
 from ptbatch.workbook.stored import Stored
 
+DASH = "\u2013"
+JACKED_CURVE, ANCHORED_CURVE = "σ\u2009jacked", "σ\u2009anchored"
 SAME = 1e-6  # of the stress: the formula of the level holds
 
 
@@ -26,7 +28,7 @@ class Step(NamedTuple):
     formula: str
     numbers: str
     analytic: str
-    fe: str = "\u2013"
+    fe: str = DASH
 
 
 def losses_of(stored: Stored) -> Losses:
@@ -55,23 +57,39 @@ def derivation(stored: Stored) -> list[Step]:
 
 def _friction(stored: Stored, member: Member, losses: Losses) -> Iterator[Step]:
     """Eq. (38) from the (left) live end to the far end, or to where the curves of two live ends meet."""
-    friction, P0 = losses.friction, losses.fpj * member.Aps / 1e3
-    end, x = friction.live[0], _far(losses)
-    total = friction.ends["right"]
-    angle, length = float(friction.path.angle(x)), float(friction.path.arc_length(x))
-    if end == "right":
-        angle, length = float(friction.path.angle(total)) - angle, friction.length - length
-    place = "where both jacks pull alike" if len(friction.live) == 2 else "the dead end"
-    yield Step("jacking force", "P₀ = fpj Aps", f"{digits(losses.fpj)} MPa · {digits(member.Aps)} mm²",
-               f"{fixed(P0, 'kN')} kN", _force(stored, member, friction.ends[end]))  # fmt: skip
-    yield Step("friction", f"α, x: angle and length of the tendon up to {place} (x = {fixed(x / 1e3, 'm')} m)",
-               "sum of the absolute changes of direction; arc length",
-               f"α = {digits(angle)} rad; x = {fixed(length / 1e3, '-')} m")  # fmt: skip
-    exponent = f"{digits(member.mu)} · {digits(angle)} + {digits(1e3 * member.K)} · {fixed(length / 1e3, '-')}"
-    P = P0 * float(friction.jacked(x))
-    fe = "\u2013" if len(friction.live) == 2 else _force(stored, member, x)
-    yield Step("force there, jacked", "P = P₀ exp(\u2212(μ α + K x)), eq. (38)",
-               f"{fixed(P0, 'kN')} kN · exp(\u2212({exponent}))", f"{fixed(P, 'kN')} kN", fe)  # fmt: skip
+    friction, P0, far = losses.friction, losses.fpj * member.Aps / 1e3, _far(losses)
+    both = len(friction.live) == 2
+    angle, length = _way(losses, far)
+    yield Step(
+        "jacking force",
+        "P₀ = fpj Aps",
+        f"{digits(losses.fpj)} MPa · {digits(member.Aps)} mm²",
+        f"{fixed(P0, 'kN')} kN",
+        _force(stored, member, friction.ends[friction.live[0]]),
+    )
+    place = "where the pull of both jacks is the same" if both else "the dead end"
+    yield Step("angle turned", "α = Σ |changes of direction|", f"up to {place}", f"{digits(angle)} rad")
+    at = f"arc length of the tendon up to there, {fixed(far / 1e3, 'm')} m from the left"
+    yield Step("length", "x", at, f"{fixed(length / 1e3, '-')} m")
+    exponent = (
+        f"{digits(member.mu)} · {digits(angle)} + {digits(1e3 * member.K)} · {fixed(length / 1e3, '-')}"
+    )
+    yield Step(
+        "force there, jacked",
+        f"P = P₀ exp({MINUS}(μ α + K x)), eq. (38)",
+        f"{fixed(P0, 'kN')} kN · exp({MINUS}({exponent}))",
+        f"{fixed(P0 * float(friction.jacked(far)), 'kN')} kN",
+        DASH if both else _force(stored, member, far),
+    )
+
+
+def _way(losses: Losses, x: float) -> tuple[float, float]:
+    """Angle [rad] and arc length [mm] of the tendon from the (left) live end to x."""
+    path, end = losses.friction.path, losses.friction.ends["right"]
+    angle, length = float(path.angle(x)), float(path.arc_length(x))
+    if losses.friction.live[0] == "left":
+        return angle, length
+    return float(path.angle(end)) - angle, float(path.arc_length(end)) - length
 
 
 def _far(losses: Losses) -> float:
@@ -96,27 +114,37 @@ def _set(stored: Stored, member: Member, losses: Losses) -> Iterator[Step]:
     if member.set == 0.0:
         yield Step("wedge set", "set = 0", "the curve after anchoring is the jacked one", "none")
         return
-    removed = member.Ep * member.set
-    yield Step("wedge set, each live end", "area between the curves = Ep set = ∫ (σ\u2009jacked \u2212 σ\u2009anchored) ds",
-               f"{digits(member.Ep)} MPa · {digits(member.set)} mm", f"{fixed(removed / 1e3, 'kN')} MPa m")  # fmt: skip
-    end, length = losses.friction.live[0], losses.set_length
-    reaches = abs(length - losses.friction.length) < 1e-9 * length
-    how = "all of the tendon moves" if reaches else "where the curves meet"
-    yield Step("set length", f"l: the area above is used up; {how}", _area(losses, end),
-               f"{fixed(length, 'mm')} mm", _with("mm", stored, "set_length_fe [mm]"))  # fmt: skip
+    removed, length, end = member.Ep * member.set, losses.set_length, losses.friction.live[0]
     area, level = _jacked_area(losses, end), losses.level[end] * losses.fpj
-    if abs((2.0 * area - removed) / length - level) < SAME * losses.fpj:
-        yield Step("level of the mirrored curve", "λ = (2 ∫ σ\u2009jacked ds \u2212 Ep set) / l",
-                   f"(2 · {fixed(area / 1e3, 'kN')} \u2212 {fixed(removed / 1e3, 'kN')}) MPa m / "
-                   f"{fixed(length / 1e3, '-')} m", f"{fixed(level, 'MPa')} MPa")  # fmt: skip
-    yield Step("stress at the anchor", "σ\u2009anchored = λ \u2212 fpj",
-               f"({fixed(level, 'MPa')} \u2212 {fixed(losses.fpj, 'MPa')}) MPa",
-               f"{fixed(level - losses.fpj, 'MPa')} MPa", _anchored(stored))  # fmt: skip
-
-
-def _area(losses: Losses, end: End) -> str:
-    """Area under the jacked curve over the set length, in words."""
-    return f"∫ σ\u2009jacked ds over l = {fixed(_jacked_area(losses, end) / 1e3, 'kN')} MPa m"
+    yield Step(
+        "area between the curves",
+        f"∫ ({JACKED_CURVE} {MINUS} {ANCHORED_CURVE}) ds = Ep set",
+        f"{digits(member.Ep)} MPa · {digits(member.set)} mm, at each live end",
+        f"{fixed(removed / 1e3, 'kN')} MPa m",
+    )
+    all_of_it = abs(length - losses.friction.length) < 1e-9 * length
+    yield Step(
+        "set length",
+        f"l: {'all of the tendon moves' if all_of_it else 'where the curves meet'}",
+        f"∫ {JACKED_CURVE} ds over l = {fixed(area / 1e3, 'kN')} MPa m",
+        f"{fixed(length, 'mm')} mm",
+        _with("mm", stored, "set_length_fe [mm]"),
+    )
+    mirrored = abs((2.0 * area - removed) / length - level) < SAME * losses.fpj
+    areas = f"(2 · {fixed(area / 1e3, 'kN')} {MINUS} {fixed(removed / 1e3, 'kN')}) MPa m"
+    yield Step(
+        "level of the mirrored curve",
+        f"λ = (2 ∫ {JACKED_CURVE} ds {MINUS} Ep set) / l" if mirrored else "λ, by the area",
+        f"{areas} / {fixed(length / 1e3, '-')} m" if mirrored else "l goes beyond where the two jacks meet",
+        f"{fixed(level, 'MPa')} MPa",
+    )
+    yield Step(
+        "stress at the anchor",
+        f"{ANCHORED_CURVE} = λ {MINUS} fpj",
+        f"({fixed(level, 'MPa')} {MINUS} {fixed(losses.fpj, 'MPa')}) MPa",
+        f"{fixed(level - losses.fpj, 'MPa')} MPa",
+        _anchored(stored),
+    )
 
 
 def _jacked_area(losses: Losses, end: End) -> float:
@@ -127,35 +155,51 @@ def _jacked_area(losses: Losses, end: End) -> float:
 
 def _anchored(stored: Stored) -> str:
     """Stress at the (left) live end's anchor after the set, of the analysis."""
-    loss, jacked = stored.value("loss_jacking_end_fe [%]"), stored.value("jacking_stress [MPa]")
-    return f"{fixed((1.0 - loss / 100.0) * jacked, 'MPa')} MPa" if np.isfinite(loss * jacked) else "not reached"
+    left = (1.0 - stored.value("loss_jacking_end_fe [%]") / 100.0) * stored.value("jacking_stress [MPa]")
+    return f"{fixed(left, 'MPa')} MPa" if np.isfinite(left) else "not reached"
 
 
 def _losses(stored: Stored, losses: Losses) -> Iterator[Step]:
     """What is left at the ends."""
     far = "where the stress is least" if len(losses.friction.live) == 2 else "fixed end"
-    for name, place, loss in (
+    places = (
         ("jacking_end", "jacking end", losses.loss_jacking_end),
         ("fixed_end", far, losses.loss_fixed_end),
-    ):
-        left = fixed((1.0 - loss) * losses.fpj, "MPa")
-        yield Step(f"loss, {place}", "1 \u2212 σ\u2009anchored / fpj", f"1 \u2212 {left} / {fixed(losses.fpj, 'MPa')}",
-                   f"{fixed(100.0 * loss, '%')} %", _with("%", stored, f"loss_{name}_fe [%]"))  # fmt: skip
+    )
+    for name, place, loss in places:
+        yield Step(
+            f"loss, {place}",
+            f"1 {MINUS} {ANCHORED_CURVE} / fpj",
+            f"1 {MINUS} {fixed((1.0 - loss) * losses.fpj, 'MPa')} / {fixed(losses.fpj, 'MPa')}",
+            f"{fixed(100.0 * loss, '%')} %",
+            _with("%", stored, f"loss_{name}_fe [%]"),
+        )
 
 
 def _elongation(stored: Stored, member: Member, losses: Losses) -> Iterator[Step]:
     """Elongation at the live ends, and the mean stress that it stands for."""
-    before, after, L = losses.elongation_before, losses.elongation_after, losses.friction.length
-    area = fixed(before * member.Ep / 1e3, "kN")
-    yield Step("elongation before the set", "Δ = ∫ σ\u2009jacked ds / Ep", f"{area} MPa m / {digits(member.Ep)} MPa",
-               f"{fixed(before, 'mm')} mm", _with("mm", stored, "elongation_before_set [mm]"))  # fmt: skip
-    ends = len(losses.friction.live)
-    yield Step("elongation after the set", "Δ \u2212 set, each live end",
-               f"{fixed(before, 'mm')} mm \u2212 {ends} · {digits(member.set)} mm",
-               f"{fixed(after, 'mm')} mm", _with("mm", stored, "elongation_after_set [mm]"))  # fmt: skip
-    yield Step("mean stress after anchoring", "Ep Δ\u2009after / L",
-               f"{digits(member.Ep)} MPa · {fixed(after, 'mm')} mm / {fixed(L / 1e3, '-')} m",
-               f"{fixed(losses.mean_anchored, 'MPa')} MPa", _with("MPa", stored, "stress_anchored_mean [MPa]"))  # fmt: skip
+    before, after, ends = losses.elongation_before, losses.elongation_after, len(losses.level)
+    yield Step(
+        "elongation before the set",
+        f"Δ = ∫ {JACKED_CURVE} ds / Ep",
+        f"{fixed(before * member.Ep / 1e3, 'kN')} MPa m / {digits(member.Ep)} MPa",
+        f"{fixed(before, 'mm')} mm",
+        _with("mm", stored, "elongation_before_set [mm]"),
+    )
+    yield Step(
+        "elongation after the set",
+        f"Δ\u2009after = Δ {MINUS} set, at each live end",
+        f"{fixed(before, 'mm')} mm {MINUS} {ends} · {digits(member.set)} mm",
+        f"{fixed(after, 'mm')} mm",
+        _with("mm", stored, "elongation_after_set [mm]"),
+    )
+    yield Step(
+        "mean stress after anchoring",
+        "Ep Δ\u2009after / L",
+        f"{digits(member.Ep)} MPa · {fixed(after, 'mm')} mm / {fixed(losses.friction.length / 1e3, '-')} m",
+        f"{fixed(losses.mean_anchored, 'MPa')} MPa",
+        _with("MPa", stored, "stress_anchored_mean [MPa]"),
+    )
 
 
 def _with(unit: str, stored: Stored, header: str) -> str:

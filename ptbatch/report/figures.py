@@ -10,7 +10,7 @@ from ptbatch.plots.pages import TITLES, drawing_of, figure_of
 from ptbatch.report.svg import inline
 from ptbatch.workbook.stored import Stored
 
-HEIGHTS = {"stress": 2.7, "redistribution": 2.7, "load-deflection": 3.3, "cracks": 2.0}  # inches
+HEIGHTS = {"stress": 2.15, "redistribution": 2.15, "load-deflection": 2.75, "cracks": 1.6}  # inches: one page
 
 
 class Picture(NamedTuple):
@@ -23,7 +23,7 @@ class Picture(NamedTuple):
 
 def drawing(stored: Stored, prefix: str) -> Picture:
     """The member before any analysis: elevation and section."""
-    title = "Elevation, not to scale, and section"
+    title = "Elevation and section"
     if stored.member is None:
         return Picture(title, None, lack(stored, missing(stored, "all")))
     return Picture(title, inline(drawing_of(stored.member), f"{prefix}-geometry", title), "")
@@ -36,5 +36,5 @@ def pictures(stored: Stored, prefix: str) -> Iterator[Picture]:
             yield Picture(TITLES[kind], None, lack(stored, what))
             continue
         figure = figure_of([stored], kind, height)
-        figure.axes[0].set_title("")
+        figure.axes[0].set_title("", loc="left")
         yield Picture(TITLES[kind], inline(figure, f"{prefix}-{kind}", TITLES[kind]), "")

@@ -35,7 +35,8 @@ def given(member: Member) -> dict[str, list[Given]]:
     """Values by group; those that this member has no use for are left out."""
     groups = {title: [_given(member, BY_NAME[name]) for name in names if _used(member, name)]
               for title, names in GROUPS.items()}  # fmt: skip
-    groups["Tendon"] += [Given("x; dp", f"{digits(x)}; {digits(dp)}", "mm") for x, dp in member.profile_points]
+    points = [f"{digits(x)}; {digits(dp)}" for x, dp in member.profile_points]
+    groups["Tendon"] += [Given("x; dp", point, "mm") for point in points]
     groups["Bars"] += [Given("bars", _bar(bar), "") for bar in member.bars]
     groups["Loads"] += [Given(load.case, _load(load), "") for load in member.loads]
     return {title: values for title, values in groups.items() if values}
@@ -53,7 +54,8 @@ def _used(member: Member, name: str) -> bool:
 
 def _given(member: Member, column: Column) -> Given:
     unit = column.unit("SI")
-    return Given(column.name, _value(column, getattr(member, column.name), unit), unit if unit != "-" else "")
+    value = _value(column, getattr(member, column.name), unit)
+    return Given(column.name, value, unit.replace("-", "").replace("m2", "m²").replace("m3", "m³"))
 
 
 def _value(column: Column, value: Any, unit: str) -> str:
@@ -76,4 +78,3 @@ def _load(load: Load) -> str:
     if load.type == "point":
         return f"{digits(load.value / 1e3)} kN at x = {digits(load.x)} mm"
     return f"{digits(load.value)} kN/m, x = {digits(load.x)} to {digits(load.x_end)} mm"
-

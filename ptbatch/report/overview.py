@@ -33,7 +33,10 @@ def line(stored: Stored, link: str) -> Line:
     """The line of a member."""
     member, status = stored.member, str(stored.summary.get("status"))
     losses = tuple(said(stored.summary.get(header), "%") for header in LOSSES)
-    capacity = tuple(said(stored.summary.get(header), unit) for header, unit in CAPACITY)
+    capacity = (
+        *(said(stored.summary.get(h), unit) for h, unit in CAPACITY),
+        str(stored.summary.get("failure")),
+    )
     return Line(
         stored.name,
         link,
@@ -41,7 +44,7 @@ def line(stored: Stored, link: str) -> Line:
         " + ".join(digits(span / 1e3) for span in member.span) if member else "",
         status,
         losses if all(np.isfinite(stored.value(header)) for header in LOSSES) else (),
-        (*capacity, str(stored.summary.get("failure"))) if np.isfinite(stored.value("load_peak [kN]")) else (),
+        capacity if np.isfinite(stored.value("load_peak [kN]")) else (),
         reason(stored),
         str(stored.summary.get("message") or ""),
     )

@@ -55,6 +55,9 @@ def read_source(path: Path) -> Source:
 
 def _read(file: BinaryIO) -> Source:
     book = open_book(file)
-    sheets = [list(book[n].iter_rows(values_only=True)) if n in book.sheetnames else [] for n in ("run", "problems")]
-    run = {str(row[0]): row[1] for row in sheets[0] if len(row) > 1}
-    return Source(run, [row for row in sheets[1][1:] if len(row) >= 6])
+    run = {str(row[0]): row[1] for row in _lines(book, "run") if len(row) > 1}
+    return Source(run, [row for row in _lines(book, "problems")[1:] if len(row) >= 6])
+
+
+def _lines(book: Any, name: str) -> list[tuple[Any, ...]]:
+    return list(book[name].iter_rows(values_only=True)) if name in book.sheetnames else []

@@ -14,7 +14,7 @@ def fixed(value: float, unit: str) -> str:
 
 
 def digits(value: float, count: int = 4) -> str:
-    """A number to some digits at least, without an exponent where it can be read without: `0.0003`, `12005`."""
+    """A number to some digits at least, without an exponent where it reads well: `0.0003`, `12005`."""
     if value != 0.0 and not 1e-4 <= abs(value) < 1e7:
         return _signed(f"{value:.{count - 1}e}")
     text = f"{value:.{count}g}"
