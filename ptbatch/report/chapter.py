@@ -2,10 +2,12 @@
 
 from dataclasses import dataclass
 
+from markupsafe import Markup
+
 from ptbatch.plots.missing import lack, missing
 from ptbatch.report.capacity import Event, at_peak, events, quality
 from ptbatch.report.derivation import Step, derivation
-from ptbatch.report.figures import Picture, drawing, pictures
+from ptbatch.report.figures import Picture, drawing, pictures, undrawn
 from ptbatch.report.given import Given, given
 from ptbatch.report.overview import PASSED
 from ptbatch.report.source import Source
@@ -15,7 +17,7 @@ from ptbatch.workbook.stored import Stored
 
 @dataclass(frozen=True)
 class Chapter:
-    """One member; what it does not have is empty, and `lack` says so."""
+    """One member; what it does not have is empty, and `lack` names it."""
 
     name: str
     link: str
@@ -24,7 +26,7 @@ class Chapter:
     note: str
     lack: str
     faults: list[tuple[str, ...]]
-    drawing: Picture | None
+    drawing: Markup | None
     given: dict[str, list[Given]]
     stages: list[Stage]
     camber: str
@@ -33,6 +35,7 @@ class Chapter:
     at_peak: list[tuple[str, str, str]]
     quality: str
     pictures: list[Picture]
+    undrawn: list[str]
 
 
 def chapter(stored: Stored, link: str, source: Source) -> Chapter:
@@ -45,9 +48,9 @@ def chapter(stored: Stored, link: str, source: Source) -> Chapter:
         str(stored.summary.get("status")),
         message,
         str(stored.summary.get("note") or ""),
-        lacking(stored),
+        missing(stored, "all"),
         source.faults(message),
-        drawing(stored, link) if member else None,
+        drawing(member, link) if member else None,
         given(member) if member else {},
         stages(stored),
         camber(stored) if member else "",
@@ -55,7 +58,8 @@ def chapter(stored: Stored, link: str, source: Source) -> Chapter:
         events(stored) if loaded else [],
         at_peak(stored),
         quality(stored),
-        list(pictures(stored, link)) if member else [],
+        list(pictures(stored, link)),
+        undrawn(stored) if member else [],
     )
 
 

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.plots.missing import reason
 from ptbatch.report.words import digits, said
 from ptbatch.workbook.stored import Stored
 
@@ -26,7 +25,6 @@ class Line(NamedTuple):
     losses: tuple[str, ...]
     capacity: tuple[str, ...]
     reason: str
-    message: str
 
 
 def line(stored: Stored, link: str) -> Line:
@@ -45,8 +43,7 @@ def line(stored: Stored, link: str) -> Line:
         status,
         losses if all(np.isfinite(stored.value(header)) for header in LOSSES) else (),
         capacity if np.isfinite(stored.value("load_peak [kN]")) else (),
-        reason(stored),
-        str(stored.summary.get("message") or ""),
+        str(stored.summary.get("message") or status),
     )
 
 

@@ -18,7 +18,7 @@ MORE = [
     SMALL | {"member": LONG, "live": "loads", "dp [mm]": None},
     SMALL | {"member": "mean", "fpj [MPa]": None, "fpe": 1100, "set": 0, "jack": "both"},
     SMALL | {"member": "frictionless", "mu": 0, "K": 0},
-    SMALL | {"member": "too heavy", "w_dead": 400},
+    SMALL | {"member": "too heavy", "w_dead": 75},
     SMALL | {"member": "wrong", "fc [MPa]": "<b>12,5</b>", "Aps [mm2]": -1},
 ]
 SHEETS = {

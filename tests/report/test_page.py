@@ -41,7 +41,7 @@ def test_every_row_is_there(page, stored):
 
 def test_a_member_without_peak_has_what_exists(page):
     stuck = chapter(page, "stuck")
-    assert "stuck lacks the tendon under live load, the live load; not converged: " in stuck
+    assert "Missing: the tendon under live load, the live load." in stuck
     assert stuck.count("<svg") == 2  # drawing and stress
     assert "Losses: formula" in stuck and "Capacity" not in stuck
 
@@ -73,9 +73,8 @@ def test_figures_are_xml(page):
 
 
 def test_the_same_results_make_the_same_report(results, page, tmp_path):
-    members = ["simple", "two spans"]
-    first, second = (write_report(results, members, tmp_path / name) for name in ("a.html", "b.html"))
+    first, second = (write_report(results, ["simple"], tmp_path / name) for name in ("a.html", "b.html"))
     assert first.path.read_bytes() == second.path.read_bytes()
     assert first == Reported(tmp_path / "a.html", [])
     every = page.count('<section class="member"')
-    assert f"2 of {every}:" in first.path.read_text("utf-8")
+    assert f"1 of {every}:" in first.path.read_text("utf-8")
