@@ -76,7 +76,7 @@ def run(
     try:
         with interruptible() as stop:
             batch = run_workbook(
-                *(workbook, output, jobs, only, _progress()), resume=resume, parquet=parquet, stop=stop
+                *(workbook, output, jobs, only, _analysing()), resume=resume, parquet=parquet, stop=stop
             )
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
@@ -213,7 +213,7 @@ def report(results: Path, members: Sequence[str], output: Path | None) -> int:
     from ptbatch.report import write_report
 
     try:
-        reported = write_report(results, members, output)
+        reported = write_report(results, members, output, _progress("reading"))
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--member") from error
     except OutputNameError as error:
@@ -256,13 +256,20 @@ def _say(*lines: str) -> None:
         click.echo(line, err=True)
 
 
-def _progress() -> "Progress | None":
-    """Rewrites one line of a terminal; silent elsewhere."""
+def _analysing() -> "Progress | None":
+    """Progress of an analysis, which may have to be compiled before."""
     if not sys.stderr.isatty():
         return None
     from ptbatch.core.cache import is_warm
 
-    click.echo("analysing" if is_warm() else "compiling (first run only)", err=True, nl=False)
+    return _progress("analysing" if is_warm() else "compiling (first run only)")
+
+
+def _progress(doing: str) -> "Progress | None":
+    """Rewrites one line of a terminal; silent elsewhere."""
+    if not sys.stderr.isatty():
+        return None
+    click.echo(doing, err=True, nl=False)
 
     def show(done: int, total: int, member: str) -> None:
         click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)

@@ -1,7 +1,7 @@
 """From results to one HTML file."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,10 +11,12 @@ from markupsafe import Markup
 
 from ptbatch import __version__
 from ptbatch.errors import OutputNameError, WriteError
-from ptbatch.report.chapter import chapter, lacking
+from ptbatch.report.chapter import Chapter, chapter, lacking
 from ptbatch.report.overview import counts, line
 from ptbatch.report.source import Source, read_source
 from ptbatch.workbook.stored import Stored, read_all, read_stored
+
+Progress = Callable[[int, int, str], None]  # done, in total, name of the member
 
 HERE = Path(__file__).parent
 SUFFIXES = (".html", ".htm")
@@ -28,15 +30,24 @@ class Reported:
     lacking: list[str]
 
 
-def write_report(results: Path, members: Sequence[str] = (), output: Path | None = None) -> Reported:
+def write_report(
+    results: Path,
+    members: Sequence[str] = (),
+    output: Path | None = None,
+    progress: Progress | None = None,
+) -> Reported:
     """Write a report on members of a results workbook, on all if none is named.
 
-    output: an .html file, or a folder; `beams.report.html` beside the results if None. The same results make
-    the same report. Raises ReadError, UnknownMemberError, OutputNameError, WriteError.
+    output: an .html file, or a folder; `beams.report.html` beside the results if None. progress: called after
+    each member. The same results make the same report. Raises ReadError, UnknownMemberError, OutputNameError,
+    WriteError.
     """
     path = _target(results, output)
     stored = read_stored(results, list(dict.fromkeys(members))) if members else read_all(results)
-    _write(path, results.name, stored, read_source(results))
+    source = read_source(results)
+    content = _content(results.name, stored, source)
+    content["chapters"] = _chapters(stored, source, progress)  # made when they are written: no two are held
+    _write(path, content)
     return Reported(path, [text for one in stored if (text := lacking(one))])
 
 
@@ -51,12 +62,12 @@ def _target(results: Path, output: Path | None) -> Path:
     return path
 
 
-def _write(path: Path, name: str, several: Sequence[Stored], source: Source) -> None:
+def _write(path: Path, content: dict[str, Any]) -> None:
     """Write the page, chapter by chapter, in place of an older one."""
     temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
         with temporary.open("w", encoding="utf-8", newline="\n") as file:
-            file.writelines(_template().generate(_content(name, several, source)))
+            file.writelines(_template().generate(content))
         os.replace(temporary, path)
     except OSError as error:
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
@@ -65,7 +76,7 @@ def _write(path: Path, name: str, several: Sequence[Stored], source: Source) -> 
 
 
 def _content(name: str, several: Sequence[Stored], source: Source) -> dict[str, Any]:
-    """What the template shows; chapters are made when they are written, so that no two are held."""
+    """What the template shows before the chapters."""
     lines = [line(stored, f"m{i}") for i, stored in enumerate(several, 1)]
     return {
         "results": name,
@@ -75,8 +86,15 @@ def _content(name: str, several: Sequence[Stored], source: Source) -> dict[str, 
         "rows": source.run.get("rows"),
         "lines": lines,
         "counts": dict(counts(lines)),
-        "chapters": (chapter(stored, f"m{i}", source) for i, stored in enumerate(several, 1)),
     }
+
+
+def _chapters(several: Sequence[Stored], source: Source, progress: Progress | None) -> Iterator[Chapter]:
+    """One member after the other."""
+    for i, stored in enumerate(several, 1):
+        yield chapter(stored, f"m{i}", source)
+        if progress:
+            progress(i, len(several), stored.name)
 
 
 def _template() -> Any:

@@ -50,7 +50,7 @@ def test_an_invalid_row_has_its_faults(page):
     wrong = chapter(page, "wrong")
     assert "Faults in the input" in wrong and "<svg" not in wrong
     assert "&lt;b&gt;12,5&lt;/b&gt;" in wrong and ">Aps [mm2]<" in wrong
-    assert wrong.count("<tr>") == 3
+    assert wrong.count("<tr>") == 3 and "Not analysed" in wrong
 
 
 def test_a_member_that_cannot_bear_its_load_says_so(page):
