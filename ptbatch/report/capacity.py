@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.plots.curve import marks
-from ptbatch.report.words import fixed, said
+from ptbatch.report.words import digits, fixed, said
 from ptbatch.workbook.stored import Stored
 
 DASH = "\u2013"
@@ -36,7 +36,7 @@ def events(stored: Stored) -> list[Event]:
     for name in EVENTS:
         load = stored.value(f"load_{name} [kN]")
         if np.isfinite(load):
-            deflection = fixed(found[name].deflection, "mm") if name in found else DASH
+            deflection = digits(found[name].deflection, 3) if name in found else DASH
             rows.append(
                 Event(name, fixed(load, "kN"), _factor(stored, load), deflection, _place(stored, load))
             )
@@ -66,7 +66,7 @@ def _failure(stored: Stored) -> Event:
     if not np.isfinite(load):
         why = said(stored.summary.get("failure_load [kN]"), "kN")
         return Event(name, reason="; ".join(filter(None, (why, place))))
-    deflection = said(stored.summary.get("failure_deflection [mm]"), "mm")
+    deflection = digits(stored.value("failure_deflection [mm]"), 3)
     return Event(name, fixed(load, "kN"), _factor(stored, load), deflection, place or DASH)
 
 

@@ -20,6 +20,7 @@ GROUPS = {
     "Mesh": ("elements", "layers"),
 }
 ONLY_WHERE = {"harp": "harped", "inflection": "parabola"}  # columns that one profile alone uses
+MOST = 9  # rows of an optional sheet
 STEEL = ("fy", "Es", "hardening", "esu")
 
 
@@ -36,10 +37,18 @@ def given(member: Member) -> dict[str, list[Given]]:
     groups = {title: [_given(member, BY_NAME[name]) for name in names if _used(member, name)]
               for title, names in GROUPS.items()}  # fmt: skip
     points = [f"{digits(x)}; {digits(dp)}" for x, dp in member.profile_points]
-    groups["Tendon"] += [Given("x; dp", point, "mm") for point in points]
-    groups["Bars"] += [Given("bars", _bar(bar), "") for bar in member.bars]
-    groups["Loads"] += [Given(load.case, _load(load), "") for load in member.loads]
+    groups["Tendon"] += _some([Given("x; dp", point, "mm") for point in points], "profile")
+    groups["Bars"] += _some([Given("bars", _bar(bar), "") for bar in member.bars], "rebar")
+    groups["Loads"] += _some([Given(load.case, _load(load), "") for load in member.loads], "loads")
     return {title: values for title, values in groups.items() if values}
+
+
+def _some(rows: list[Given], sheet: str) -> list[Given]:
+    """Rows of an optional sheet; of many the first and the last, and where all of them are."""
+    if len(rows) <= MOST:
+        return rows
+    between = Given("...", f"{len(rows) - MOST + 1} more in the sheet {sheet}", "")
+    return [*rows[: MOST - 2], between, rows[-1]]
 
 
 def _used(member: Member, name: str) -> bool:

@@ -5,12 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.report.words import digits, said
+from ptbatch.report.words import digits, fixed, said
 from ptbatch.workbook.stored import Stored
 
 PASSED = ("ok", "warning")
 LOSSES = ("loss_jacking_end_fe [%]", "loss_fixed_end_fe [%]")
-CAPACITY = (("load_peak [kN]", "kN"), ("load_factor_peak", "-"))
 
 
 class Line(NamedTuple):
@@ -31,8 +30,10 @@ def line(stored: Stored, link: str) -> Line:
     """The line of a member."""
     member, status = stored.member, str(stored.summary.get("status"))
     losses = tuple(said(stored.summary.get(header), "%") for header in LOSSES)
+    factor = stored.value("load_factor_peak")
     capacity = (
-        *(said(stored.summary.get(h), unit) for h, unit in CAPACITY),
+        said(stored.summary.get("load_peak [kN]"), "kN"),
+        fixed(factor, "-") if np.isfinite(factor) else "none given",  # a service load
         str(stored.summary.get("failure")),
     )
     return Line(
