@@ -5,10 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.plots.curve import marks
-from ptbatch.report.words import digits, fixed, said
+from ptbatch.report.words import DASH, digits, fixed, said
 from ptbatch.workbook.stored import Stored
 
-DASH = "\u2013"
 EVENTS = ("cracking", "yield", "peak")
 AT_PEAK = (
     ("moment_peak [kN m]", "largest section moment, everything included", "kN m"),

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.report.words import fixed, said
+from ptbatch.report.words import DASH, fixed, said
 from ptbatch.response import STAGES
 from ptbatch.workbook.stored import Stored, Table
 
@@ -51,7 +51,7 @@ def _three(line: Table, header: str) -> tuple[str, ...]:
     """Least, mean over x, largest; dashes where there is no curve."""
     x, stress = line.numbers(X), line.numbers(header)
     if not np.isfinite(stress).all() or len(x) < 2:
-        return ("\u2013",) * 3
+        return (DASH,) * 3
     mean = float(np.sum(0.5 * (stress[1:] + stress[:-1]) * np.diff(x)) / (x[-1] - x[0]))
     return tuple(fixed(value, "MPa") for value in (float(stress.min()), mean, float(stress.max())))
 

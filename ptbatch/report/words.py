@@ -4,7 +4,7 @@ from math import isfinite
 from typing import Any
 
 DECIMALS = {"MPa": 1, "mm": 1, "%": 2, "kN": 1, "kN m": 1, "m": 2, "-": 3}
-MINUS = "\u2212"
+MINUS, DASH = "\u2212", "\u2013"  # DASH: there is nothing to be told
 
 
 def fixed(value: float, unit: str) -> str:
