@@ -101,7 +101,7 @@ def run_workbook(
         counts = _counts(lines)
         run = {
             **_identity(started, inputs),
-            **{"jobs": jobs, "only": "; ".join(only) or "all rows"},
+            **{"jobs": "on other machines" if outcomes else jobs, "only": "; ".join(only) or "all rows"},
             **{f"setting {name}": setting.raw for name, setting in inputs.settings.defaults.items()},
             **{"rows": len(lines), **{f"rows {status}": count for status, count in counts.items()}},
             **{"rows from the journal": journal.used, LONG_TABLES: place_of(folder, path)},

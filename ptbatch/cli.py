@@ -12,7 +12,10 @@ from ptbatch import __version__
 from ptbatch.errors import OutputNameError, PtbatchError, UnknownMemberError
 
 if TYPE_CHECKING:
+    from threading import Event
+
     from ptbatch.batch import Progress
+    from ptbatch.runner import Outcomes
 
 OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
 FIGURES = ("stress", "redistribution", "load-deflection", "cracks", "profile", "all")
@@ -43,6 +46,11 @@ def cli() -> None:
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Results [WORKBOOK.results.xlsx].")
 @click.option("--jobs", type=click.IntRange(1), help="Members at a time [number of CPUs].")
 @click.option("--only", multiple=True, metavar="MEMBER", help="This member alone; may be repeated.")
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Analyse on the workers of this Dask scheduler, e.g. tcp://HOST:8786; needs ptbatch[cluster].",
+)
 @click.option("--resume", is_flag=True, help="Analyse only what an unfinished run has not yet.")
 @click.option(
     "--parquet",
@@ -56,6 +64,7 @@ def run(
     output: Path | None,
     jobs: int | None,
     only: Sequence[str],
+    scheduler: str | None,
     resume: bool,
     parquet: Path | None,
     as_json: bool,
@@ -67,6 +76,8 @@ def run(
     Each row that is done is kept in a journal beside the results until these are complete. After a kill, or
     Ctrl-C, the same command with --resume takes from it what has not changed: member, settings, program.
     """
+    if jobs and scheduler:
+        raise click.UsageError("--jobs is for this machine: it goes without --scheduler")
     from ptbatch.batch import results_path, run_workbook
     from ptbatch.closing import closing_table
     from ptbatch.interrupt import interruptible
@@ -75,9 +86,9 @@ def run(
     jobs = jobs or os.cpu_count() or 1
     try:
         with interruptible() as stop:
-            batch = run_workbook(
-                *(workbook, output, jobs, only, _analysing()), resume=resume, parquet=parquet, stop=stop
-            )
+            outcomes = _outcomes_of(scheduler, stop) if scheduler else None
+            settings = (workbook, output, jobs, only, _analysing(), outcomes)
+            batch = run_workbook(*settings, resume=resume, parquet=parquet, stop=stop)
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
     if as_json:
@@ -251,18 +262,25 @@ def exit_code(args: Sequence[str] | None = None) -> int:
         return INTERNAL
 
 
+def _outcomes_of(scheduler: str, stop: "Event") -> "Outcomes":
+    from ptbatch.cluster.outcomes import on_cluster
+
+    return on_cluster(scheduler, stop)
+
+
 def _say(*lines: str) -> None:
     for line in lines:
         click.echo(line, err=True)
 
 
 def _analysing() -> "Progress | None":
-    """Progress of an analysis, which may have to be compiled before."""
-    if not sys.stderr.isatty():
-        return None
+    """Progress of an analysis; elsewhere than on a terminal only what takes long is said."""
     from ptbatch.core.cache import is_warm
 
-    return _progress("analysing" if is_warm() else "compiling (first run only)")
+    warm = is_warm()
+    if not warm and not sys.stderr.isatty():
+        _say("compiling (first run only)")
+    return _progress("analysing" if warm else "compiling (first run only)")
 
 
 def _progress(doing: str) -> "Progress | None":

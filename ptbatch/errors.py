@@ -23,3 +23,7 @@ class ReadError(PtbatchError):
 
 class WriteError(PtbatchError):
     """Results that cannot be written."""
+
+
+class ClusterError(PtbatchError):
+    """Other machines that do not do their part."""

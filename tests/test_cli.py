@@ -1,6 +1,7 @@
 """The command line: exit codes, what goes to stdout and stderr, and how fast help is."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -116,6 +117,15 @@ def test_progress_on_a_terminal(book, beam, engine, monkeypatch, capsys):
     assert "2 of 2  B2" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("terminal", [True, False])
+def test_compiling_is_said(book, beam, engine, monkeypatch, tmp_path, capsys, terminal):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: terminal)
+    monkeypatch.setenv("PTBATCH_CACHE", str(tmp_path / "empty"))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    exit_code(["run", str(book(beam))])
+    assert capsys.readouterr().err.startswith("compiling (first run only)" + "\n" * (not terminal))
+
+
 def test_check(book, beam, capsys):
     assert exit_code(["check", str(book(beam))]) == 0
     assert exit_code(["check", str(book(beam | {"fc": "12,5", "mark": 1}))]) == 3
@@ -152,6 +162,26 @@ def test_help_is_light(code):
         cwd=Path(__file__).parent.parent,
     )
     assert done.stdout.splitlines()[-1] == "[]"
+
+
+@pytest.mark.parametrize(
+    "args",
+    [["check"], ["template", "new.xlsx"], ["plot", "--geometry", "--member", "B1"]],
+    ids=lambda a: a[0],
+)
+def test_what_does_not_analyse_does_not_compile(args, book, beam, tmp_path):
+    path = [] if args[0] == "template" else [str(book(beam))]
+    code = f"import sys; from ptbatch.cli import exit_code; code = exit_code({args + path}); "
+    code += "print(code, [m for m in ('numba', 'llvmlite', 'pandas') if m in sys.modules])"
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(Path(__file__).parent.parent)},
+    )
+    assert done.stdout.splitlines()[-1] == "0 []"
 
 
 def test_public_names():

@@ -1,11 +1,16 @@
 """The same digits come out for any number of members at a time, and where a run was gone on with."""
 
+import sys
+from dataclasses import asdict
 from threading import Event
 
 import pytest
 from openpyxl import load_workbook
 
+from benchmarks.population import population
 from ptbatch.batch import run_workbook
+from ptbatch.member import Member
+from ptbatch.runner import on_threads
 
 
 @pytest.fixture
@@ -29,6 +34,24 @@ def test_jobs_do_not_change_a_digit(light, tmp_path):
     one, *others = (values(run_workbook(light, tmp_path / f"{n}.xlsx", n).path) for n in (1, 2, 4))
     assert {row[1] for row in one["summary"][1:]} == {"ok"}
     assert others == [one, one]
+
+
+def test_threads_share_nothing():
+    members = [Member(**asdict(member) | {"elements": 6, "layers": 8}) for member in population(60, seed=7)]
+    twice = [member for member in members for _ in range(2)]  # one object in two threads, its caches too
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-4)
+    try:
+        threads = list(map(digits, on_threads(4)(twice)))
+    finally:
+        sys.setswitchinterval(interval)
+    serial = list(map(digits, on_threads(1)(members)))
+    assert threads == [outcome for outcome in serial for _ in range(2)]
+
+
+def digits(outcome) -> dict:
+    """All of an outcome but the time."""
+    return vars(outcome) | {"summary": dict(outcome.summary) | {"time [ms]": 0.0}}
 
 
 def test_going_on_does_not_change_a_digit(light, tmp_path):

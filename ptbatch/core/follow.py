@@ -11,7 +11,7 @@ import numpy as np
 
 from ptbatch.core.case import Target, driven
 from ptbatch.core.failure import LIMIT, demands
-from ptbatch.core.jit import kernel
+from ptbatch.core.jit import inlined, kernel
 from ptbatch.core.model import beam_dof
 from ptbatch.core.newton import CONVERGED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM
@@ -128,7 +128,7 @@ def next_step(trial):
     return trial.step * (1.5 if trial.iterations <= EASY else 1.1 if trial.iterations <= HARD else 0.7)
 
 
-@kernel
+@inlined
 def reach(case, load, drive, step, way, ahead):
     """Try a further `step` from the committed state; ahead: start from the last step, extrapolated."""
     value = driven(case.state.u, drive.dof, drive.other) + drive.sense * step
@@ -139,7 +139,7 @@ def reach(case, load, drive, step, way, ahead):
     return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
 
 
-@kernel
+@inlined
 def approach(case, load, drive, step, way):
     """The first step that finds equilibrium, ever shorter ones being tried."""
     trial = reach(case, load, drive, step, way, True)
@@ -150,7 +150,7 @@ def approach(case, load, drive, step, way):
     return trial
 
 
-@kernel
+@inlined
 def jump(case, load, drive, step, control, left, way):
     """The first longer step that finds equilibrium, across the snap-back of a crack that opens at once."""
     size = 0.5 * control.largest
@@ -162,7 +162,7 @@ def jump(case, load, drive, step, control, left, way):
     return trial
 
 
-@kernel
+@inlined
 def land(case, load, drive, over, way):
     """A shorter step that ends on the first of what `over` passed, found by interpolation; where the response
     jumps across it, the first step beyond that was found."""
@@ -203,7 +203,7 @@ def news(way, demand):
     return (now[0] and not way.met[0]) or (now[1] and not way.met[1]) or (now[2] and not way.met[2])
 
 
-@kernel
+@inlined
 def take(case, stage, load, drive, trial, way):
     """Accept a trial, the first one beyond what is looked for on that; returns what was accepted and how far
     the load has come."""
@@ -221,7 +221,7 @@ def take(case, stage, load, drive, trial, way):
     return trial, Way(trial.factor, most, trial.step, trial.demand, so_far, allowed)
 
 
-@kernel
+@inlined
 def turn_hinge(case, stage, load, control, way):
     """Let the element that turns fastest drive the load until the deflection grows beyond where it was."""
     furthest = deflection(case, control)

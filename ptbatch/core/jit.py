@@ -7,22 +7,43 @@ tangent).
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numba
 import numpy as np
+from numba.core import types
+from numba.core.dispatcher import Dispatcher
 
-from ptbatch.core.cache import cache_folder
+from ptbatch.core.store import keep
 
 STEP = 1e-30
-
-numba.config.CACHE_DIR = str(cache_folder())  # type: ignore[attr-defined]
+njit: Any = partial(numba.njit, nogil=True, error_model="numpy")
 
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Compile with the GIL released and the disk cache on; no fast-math, so that digits do not depend on the
-    machine."""
-    return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    """Compile with the GIL released and keep the code between runs; no fast-math, so that digits do not
+    depend on the machine."""
+    compiled = njit(no_cfunc_wrapper=True)(function)
+    if isinstance(compiled, Dispatcher):  # it is the function itself where numba is told not to compile
+        keep(compiled)
+        compile_once(compiled)
+    return compiled
+
+
+def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A kernel that becomes part of its callers. Whatever a kernel calls is compiled with it once more, so of
+    a long chain of callers only the outermost should be a kernel of its own."""
+    return njit(inline="always")(function)
+
+
+def compile_once(compiled: Any) -> None:
+    """Compile a kernel once for all values of an argument: numba would do it again for each True, False or
+    number that stands in a call."""
+    template = compiled.get_call_template
+    compiled.get_call_template = lambda args, kws: template(
+        tuple(types.unliteral(kind) for kind in args), {name: types.unliteral(kws[name]) for name in kws}
+    )
 
 
 @kernel

@@ -7,7 +7,7 @@ from ptbatch.core.case import still
 from ptbatch.core.contact import GROUTED
 from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.history import rewind
-from ptbatch.core.jit import kernel
+from ptbatch.core.jit import inlined, kernel
 from ptbatch.core.newton import CONVERGED, equilibrate
 from ptbatch.core.step import SPENT, WAYS, accept, find_equilibrium
 
@@ -71,7 +71,7 @@ def held_node(case):
     return 0
 
 
-@kernel
+@inlined
 def hold(case, target, j):
     """Equilibrium with tendon node j held as grout would do it."""
     work, contact, motion = case.work, case.model.contact, case.state.motion
@@ -85,7 +85,7 @@ def hold(case, target, j):
     return Held(status, iterations, error, capacity - needed, side, needed < SURELY * capacity)
 
 
-@kernel
+@inlined
 def settle(case, target, rest):
     """Equilibrium of a tendon that is pulled at both ends: by forces alone it could lie anywhere in its duct,
     so the node that rests is held, and the next one tried until friction alone can hold it; returns (status,

@@ -21,7 +21,7 @@ def drawn(figure: Figure, gid: str) -> list:
 
 def column(results, sheet, member, stage, header) -> np.ndarray:
     """Numbers of a sheet, read without the program."""
-    headers, *rows = load_workbook(results, read_only=True)[sheet].values
+    headers, *rows = load_workbook(results)[sheet].values
     at = [headers.index(name) for name in ("member", "stage", header)]
     return np.array([row[at[2]] for row in rows if (row[at[0]], row[at[1]]) == (member, stage)])
 

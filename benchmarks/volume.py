@@ -1,0 +1,77 @@
+"""How time and memory grow: with elements, with rows, with workers."""
+
+import os
+import tempfile
+from pathlib import Path
+from time import perf_counter, process_time
+
+from benchmarks.named import REFERENCE
+from benchmarks.population import population
+from benchmarks.processes import Usage, ptbatch
+from benchmarks.rows import write_rows
+from benchmarks.stagewise import timed
+from benchmarks.table import Table
+from ptbatch.analysis import analyse
+from ptbatch.member import Member
+from ptbatch.runner import run_members
+
+
+def element_table(counts: list[int], repeats: int) -> Table:
+    """The reference beam with ever more elements."""
+    table = Table(
+        "Growth with elements: the 15 m beam", ["elements", "iterations", "us/iteration", "ms in all"]
+    )
+    for elements in counts:
+        member = Member(member="15 m beam", **REFERENCE | {"elements": elements})
+        response = analyse(member)
+        if response.status != "ok":
+            table.add(elements, response.newton_iterations, "", response.status)
+            table.note += f"{elements} elements: {response.message}. "
+            continue
+        t = timed(member, 1, repeats)
+        table.add(elements, t.iterations, 1e6 * t.iterating / t.iterations, 1e3 * t.whole)
+    return table
+
+
+def worker_table(count: int) -> Table:
+    """A mixed population on one worker and on two."""
+    members = population(count)
+    run_members(members[:2], 2)
+    table = Table(
+        f"Members a second: {count} of the random population, tables included",
+        ["workers", "members/s", "s", "cores used"],
+        note="Cores used: CPU time by wall time. Well below the workers, the machine had other work.",
+    )
+    for workers in (1, 2):
+        seconds, cores = min(_run(members, workers) for _ in range(3))
+        table.add(workers, count / seconds, seconds, cores)
+    return table
+
+
+def _run(members: list[Member], workers: int) -> tuple[float, float]:
+    """Seconds, and CPU time by wall time."""
+    start, used = perf_counter(), process_time()
+    run_members(members, workers)
+    seconds = perf_counter() - start
+    return seconds, (process_time() - used) / seconds
+
+
+def row_table(counts: list[int]) -> Table:
+    """`ptbatch run` of workbooks with ever more light rows, from start to exit."""
+    table = Table(
+        f"Growth with rows: ptbatch run of light rows (8 elements, 10 layers), {os.cpu_count()} workers",
+        ["rows", "s", "ms/row", "peak memory [MB]", "results [MB]"],
+    )
+    for rows in counts:
+        usage, size = run_rows(rows)
+        table.add(rows, usage.seconds, 1e3 * usage.seconds / rows, usage.megabytes, size)
+    return table
+
+
+def run_rows(rows: int) -> tuple[Usage, float]:
+    """What a run of that many rows used, and the size of its results [MB]."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "rows.xlsx"
+        write_rows(path, rows)
+        usage = ptbatch("run", str(path))
+        return usage, path.with_name("rows.results.xlsx").stat().st_size / 1e6
