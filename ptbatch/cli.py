@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NoReturn
 
@@ -231,6 +231,35 @@ def doctor() -> int:
     return FAILED if faults else OK
 
 
+@cli.command(epilog=EPILOG)
+@click.argument("results", type=click.Path(path_type=Path))
+@click.option("--member", "members", multiple=True, metavar="M", help="May be repeated [all members].")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="An .html file, or a folder [RESULTS.report.html].",
+)
+def report(results: Path, members: Sequence[str], output: Path | None) -> int:
+    """Write the members of RESULTS as one HTML file, to be read and printed.
+
+    An overview, then of each member: drawing, input, tendon stresses by stage, losses with their formulas and
+    numbers, capacity, figures and messages. The file needs no other file and no network; the browser prints
+    it on A4, each member from a new page. Of a member that is invalid or did not converge it has what exists
+    and says why the rest is missing (exit code 3).
+    """
+    from ptbatch.report import write_report
+
+    try:
+        reported = write_report(results, members, output, _reading())
+    except UnknownMemberError as error:
+        raise click.BadParameter(str(error), param_hint="--member") from error
+    except OutputNameError as error:
+        raise click.BadParameter(str(error), param_hint="-o") from error
+    _say(*reported.lacking, f"written: {reported.path}")
+    return INVALID_ROWS if reported.lacking else OK
+
+
 def main(args: Sequence[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code."""
     code = exit_code(args)
@@ -284,6 +313,17 @@ def _progress(quiet: bool, verbose: bool) -> "Progress | None":
     from ptbatch.progress import Meter
 
     return Meter(lambda text: click.echo(text, err=True, nl=False), terminal, verbose)
+
+
+def _reading() -> Callable[[int, int, str], None] | None:
+    """Rewrites one line of a terminal as members are read and drawn; silent elsewhere."""
+    if not sys.stderr.isatty():
+        return None
+
+    def show(done: int, total: int, member: str) -> None:
+        click.echo(f"\r\x1b[K{done} of {total}  {member}", err=True, nl=done == total)
+
+    return show
 
 
 def _about_journal(results: Path, resume: bool) -> Iterator[str]:

@@ -41,14 +41,18 @@ HEIGHTS = {"stress": 3.2, "redistribution": 3.6, "load-deflection": 4.4, "cracks
 LINE = 110  # characters of a footer
 
 
-def figure_of(several: Sequence[Stored], kind: str) -> Figure:
-    """One kind of figure: members laid over each other, or one below the other."""
+def figure_of(several: Sequence[Stored], kind: str, height: float | None = None) -> Figure:
+    """One kind of figure: members laid over each other, or one below the other.
+
+    height: of a panel in inches, in place of the usual one.
+    """
+    height = height or HEIGHTS[kind]
     with rc_context(style.RC):
         if kind in OVERLAID:
-            sheet = _sheet(WIDTH, HEIGHTS[kind])
+            sheet = _sheet(WIDTH, height)
             _panel(sheet.subplots(), several, kind, several[0].name if len(several) == 1 else TITLES[kind])
             return sheet
-        sheet = _sheet(WIDTH, HEIGHTS[kind] * len(several))
+        sheet = _sheet(WIDTH, height * len(several))
         panels = sheet.subplots(len(several), 1, squeeze=False)[:, 0]
         for axes, stored in zip(panels, several, strict=True):
             _panel(axes, [stored], kind, stored.name)
@@ -76,6 +80,15 @@ def geometry_of(member: Member) -> Figure:
         grid = sheet.add_gridspec(1, 12)
         _drawing(sheet, member, grid[0, :8], grid[0, 8:])
         _head(sheet, member.member, "")
+        return sheet
+
+
+def drawing_of(member: Member) -> Figure:
+    """The same without a head, as wide as the other figures."""
+    with rc_context(style.RC):
+        sheet = _sheet(WIDTH, 2.9)
+        grid = sheet.add_gridspec(1, 12)
+        _drawing(sheet, member, grid[0, :9], grid[0, 9:])
         return sheet
 
 

@@ -1,9 +1,10 @@
 """What a results workbook holds of some of its members, read back."""
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,38 +69,68 @@ def number(value: Any) -> float:
 
 def read_stored(path: Path, names: Sequence[str]) -> list[Stored]:
     """Results of the named members, in that order. Raises ReadError, UnknownMemberError."""
-    summary, tables, raw = guarded(path, lambda file: _read(file, path, set(names)), BOUNDS)
+    read = _members_of(path, set(names))
+    by_name = {stored.name: stored for stored in reversed(read.wanted)}  # the first of a name
     for name in names:
-        if not summary.get(name):
-            raise UnknownMemberError(f"there is no member {name}; {likely(name, summary)}")
+        if name not in by_name:
+            raise UnknownMemberError(f"there is no member {name}; {likely(name, read.names)}")
+    return [by_name[name] for name in names]
+
+
+def read_all(path: Path) -> list[Stored]:
+    """Results of every row of the summary, in its order. Raises ReadError."""
+    return _members_of(path, None).wanted
+
+
+class _Read(NamedTuple):
+    """The rows asked for, and the names of all rows."""
+
+    wanted: list[Stored]
+    names: list[str]
+
+
+def _members_of(path: Path, names: set[str] | None) -> _Read:
+    """Rows of the members of these names, or all."""
+    every, summary, tables, raw = guarded(path, lambda file: _read(file, path, names), BOUNDS)
     members = _members(path, raw)
-    return [
-        Stored(
-            summary[name],
-            members.get(name),
-            *(Table([row for row in tables[sheet] if row["member"] == name]) for sheet in TABLES),
-        )
-        for name in names
-    ]
+    by_name = {sheet: _by_name(rows) for sheet, rows in tables.items()}
+    return _Read([_stored(row, members, by_name) for row in summary], every)
+
+
+def _by_name(rows: Iterable[Row]) -> dict[Any, list[Row]]:
+    found: dict[Any, list[Row]] = defaultdict(list)
+    for row in rows:
+        found[row["member"]].append(row)
+    return found
+
+
+def _stored(row: Row, members: dict[str, Member], tables: dict[str, dict[Any, list[Row]]]) -> Stored:
+    """One row; an invalid one has nothing, also where a sound one has its name."""
+    name = row["member"]
+    if row.get("status") == "invalid":
+        return Stored(row, None, Table(), Table(), Table())
+    return Stored(row, members.get(str(name)), *(Table(tables[sheet].get(name, [])) for sheet in TABLES))
 
 
 def _read(
-    file: BinaryIO, path: Path, wanted: set[str]
-) -> tuple[dict[str, Row], dict[str, list[Row]], dict[str, RawSheet]]:
-    """Rows of the wanted members: of the summary by name (empty for the others), of the other tables as read
-    and raw."""
+    file: BinaryIO, path: Path, names: set[str] | None
+) -> tuple[list[str], list[Row], dict[str, list[Row]], dict[str, RawSheet]]:
+    """All names; of the wanted members rows of the summary, of the other tables as read, and raw."""
     book = open_book(file)
     if "summary" not in book.sheetnames:
         raise ReadError("these are no results: there is no sheet summary; --geometry draws an input workbook")
-    summary: dict[str, Row] = {}
+    every: list[str] = []
+    summary: list[Row] = []
     for row in _rows(book, "summary"):
-        name = str(row["member"])
-        summary.setdefault(name, row if name in wanted else {})
+        every.append(str(row["member"]))
+        if names is None or every[-1] in names:
+            summary.append(row)
+    wanted = set(every) if names is None else names
     if folder := folder_in(book, path):
         tables = {name: rows_of(folder, name, wanted) for name in TABLES}
-        return summary, tables, {name: sheet_of(folder, name, wanted) for name in (MAIN, *OPTIONAL_SHEETS)}
+        return every, summary, tables, {n: sheet_of(folder, n, wanted) for n in (MAIN, *OPTIONAL_SHEETS)}
     tables = {name: [row for row in _rows(book, name) if row["member"] in wanted] for name in TABLES}
-    return summary, tables, {name: _raw(book[name], wanted) for name in _echoed(book)}
+    return every, summary, tables, {name: _raw(book[name], wanted) for name in _echoed(book)}
 
 
 def _echoed(book: Any) -> Iterable[str]:

@@ -122,7 +122,7 @@ def last_line(code) -> str:
     return done.stdout.splitlines()[-1]
 
 
-@pytest.mark.parametrize("words", [["plot", "-h"], ["check", "examples/beams.xlsx"]])
+@pytest.mark.parametrize("words", [["plot", "-h"], ["report", "-h"], ["check", "examples/beams.xlsx"]])
 def test_matplotlib_is_for_drawing_alone(words):
     code = f"""
 import sys

@@ -6,7 +6,7 @@ import pytest
 from ptbatch.batch import run_workbook
 from ptbatch.errors import ReadError, UnknownMemberError
 from ptbatch.workbook.inputs import read_inputs
-from ptbatch.workbook.stored import read_stored
+from ptbatch.workbook.stored import read_all, read_stored
 
 
 def test_what_is_stored(book, beam, engine):
@@ -20,6 +20,15 @@ def test_what_is_stored(book, beam, engine):
     assert bad.member is None
     assert np.isnan(bad.value("load_peak [kN]"))  # a text says why
     assert stuck.summary["status"] == "not converged"
+
+
+def test_every_row_is_read(book, beam, engine):
+    """In the order of the input; of two rows with one name neither has anything."""
+    path = run_workbook(book(beam | {"member": "B2"}, beam, beam | {"member": "B3"}, beam)).path
+    rows = read_all(path)
+    assert [row.name for row in rows] == ["B2", "B1", "B3", "B1"]
+    assert [len(row.curves) for row in rows] == [2, 0, 2, 0]
+    assert [row.member is None for row in rows] == [False, True, False, True]
 
 
 def test_members_that_are_not_there(book, beam, engine):
