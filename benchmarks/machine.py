@@ -2,7 +2,6 @@
 
 import os
 import platform
-from datetime import date
 from importlib.metadata import version
 from pathlib import Path
 
@@ -22,6 +21,6 @@ def machine() -> str:
     """One sentence."""
     packages = ", ".join(f"{name} {version(name)}" for name in ("numba", "numpy"))
     return (
-        f"ptbatch {__version__}, {date.today().isoformat()}: {processor()}, {os.cpu_count()} cores, "
+        f"ptbatch {__version__}: {processor()}, {os.cpu_count()} cores, "
         f"{platform.system()}, Python {platform.python_version()}, {packages}."
     )

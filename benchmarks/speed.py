@@ -1,29 +1,21 @@
 """How fast it is: `python -m benchmarks.speed` times members, parts, workers, growth and start-up.
 
 --only takes one of them (may be repeated), --quick less of each; --write puts the tables into
-benchmarks/results.md. Leave the machine alone meanwhile.
+benchmarks/results.md, in place of what is there of them. Leave the machine alone meanwhile.
 """
 
 import argparse
 from collections.abc import Callable
-from pathlib import Path
 
 from benchmarks.machine import machine
 from benchmarks.named import named
 from benchmarks.opensees import opensees_table
 from benchmarks.parts import part_table
 from benchmarks.processes import start_table
+from benchmarks.record import write_results
 from benchmarks.stagewise import stage_table
 from benchmarks.table import Table
 from benchmarks.volume import element_table, row_table, worker_table
-
-RESULTS = Path(__file__).with_name("results.md")
-HEAD = """# Speed
-
-Written by `python -m benchmarks.speed --write`, which says what is measured; the least of several times.
-
-{machine}
-"""
 
 
 def benchmarks(quick: bool) -> dict[str, Callable[[], Table]]:
@@ -47,8 +39,8 @@ def main() -> None:
     options.add_argument("--quick", action="store_true")
     options.add_argument("--write", action="store_true")
     chosen = options.parse_args()
-    if chosen.write and (chosen.only or chosen.quick):
-        options.error("--write goes without --only and --quick: the file holds all of it")
+    if chosen.write and chosen.quick:
+        options.error("--write goes without --quick: it is no measurement")
     print(machine())
     tables = []
     for name, measure in benchmarks(chosen.quick).items():
@@ -56,9 +48,7 @@ def main() -> None:
             tables.append(measure())
             print(f"\n{tables[-1].text()}", flush=True)
     if chosen.write:
-        parts = [HEAD.format(machine=machine()), *(f"{table.markdown()}\n" for table in tables)]
-        RESULTS.write_text("\n".join(parts), encoding="utf-8")
-        print(f"\nwritten: {RESULTS}")
+        write_results(tables, everything=not chosen.only)
 
 
 if __name__ == "__main__":
