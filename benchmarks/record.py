@@ -32,6 +32,8 @@ def write_results(tables: Sequence[Table], everything: bool) -> None:
 
 def _sections(head: str) -> dict[str, str]:
     """The tables that are there, by title."""
+    if not RESULTS.exists():
+        return {}
     text = RESULTS.read_text(encoding="utf-8")
     if not text.startswith(head):
         raise OtherMachineError("the tables there are of another machine or version: measure all of them")

@@ -13,7 +13,7 @@ from benchmarks.stagewise import timed
 from benchmarks.table import Table
 from ptbatch.analysis import analyse
 from ptbatch.member import Member
-from ptbatch.runner import run_members
+from ptbatch.runner import on_threads
 
 
 def element_table(counts: list[int], repeats: int) -> Table:
@@ -36,7 +36,7 @@ def element_table(counts: list[int], repeats: int) -> Table:
 def worker_table(count: int) -> Table:
     """A mixed population on one worker and on two."""
     members = population(count)
-    run_members(members[:2], 2)
+    list(on_threads(2)(members[:2]))
     table = Table(
         f"Members a second: {count} of the random population, tables included",
         ["workers", "members/s", "s", "cores used"],
@@ -51,7 +51,7 @@ def worker_table(count: int) -> Table:
 def _run(members: list[Member], workers: int) -> tuple[float, float]:
     """Seconds, and CPU time by wall time."""
     start, used = perf_counter(), process_time()
-    run_members(members, workers)
+    list(on_threads(workers)(members))
     seconds = perf_counter() - start
     return seconds, (process_time() - used) / seconds
 

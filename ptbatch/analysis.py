@@ -53,7 +53,13 @@ def prepare(setup: Setup, fpj: float) -> Run:
         new_work(n, half_bandwidth(setup, start)),
         new_history(ROWS, n),
         Tolerance(
-            1e-9, 1e-3, 1e-6, fpj * member.Aps, member.total_length / n, 1e-3 * max(member.span), BUDGET
+            1e-9,
+            1e-3,
+            1e-6,
+            fpj * member.Aps,
+            max(member.h, member.total_length / n),  # short elements turn round-off into moments
+            1e-3 * max(member.span),
+            BUDGET,
         ),
     )
     return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)

@@ -53,7 +53,7 @@ def finished(run: Run, ended: int) -> Response:
         )
     if not complete and not failure:
         last = curve.load[-1]
-        if ended != NO_EQUILIBRIUM or last > 0.98 * curve.load.max():
+        if ended != NO_EQUILIBRIUM or last >= 0.98 * curve.load.max():
             end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
             message = f"live load: {stages.WHY[ended]} beyond {end}{_why(run)}"
             common |= _states(run, rows, common["tendon"])

@@ -16,7 +16,7 @@ HOPELESS = 1e8  # relative residual
 NEAR, NEARER = 1e-3, 1e-6  # relative residuals: the next step may arrive; the last tangent will do
 NONE, FREE, FROZEN = range(3)  # searching along a step
 NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
-PATIENCE = 4  # iterations in which an undamped way must bring its residual down
+SETTLED = 4  # iterations without a lower residual after which one at round-off has come to rest
 
 
 class Way(NamedTuple):
@@ -24,7 +24,8 @@ class Way(NamedTuple):
     iteration, and `decay` of it is left from one to the next; search: along each step for the share of it
     that leaves no work to do."""
 
-    most: int  # iterations
+    most: int  # iterations, in all and without a lower residual
+    patience: int
     damping: float
     decay: float
     search: int
@@ -211,12 +212,12 @@ def equilibrate(case, target, factor, way):
         if norm < least:
             least = norm
             improved = iteration
-        stays = iteration > improved + PATIENCE and norm <= NOISE * tolerance.residual
+        stays = iteration > improved + SETTLED and norm <= NOISE * tolerance.residual
         if (norm <= tolerance.residual and increment <= tolerance.increment) or stays:
             norm = residual_alone(case, target, factor)
             if norm <= (NOISE if stays else 1.0) * tolerance.residual:
                 return CONVERGED, factor, iteration, norm
-        if way.damping == 0.0 and iteration > improved + PATIENCE and iteration > 2 * PATIENCE:
+        if iteration > max(improved, way.patience) + way.patience:
             return TOO_MANY_ITERATIONS, factor, iteration, norm
         if not factorise_tangent(case):
             return SINGULAR, factor, iteration, norm

@@ -11,19 +11,23 @@ from ptbatch.core.newton import CONVERGED, FREE, NONE, Way, equilibrate
 # leave no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps
 # are for friction that turns round everywhere.
 WAYS = (
-    Way(20, 0.0, 1.0, NONE),
-    Way(40, 0.2, 0.7, NONE),
-    Way(30, 0.0, 1.0, FREE),
+    Way(20, 4, 0.0, 1.0, NONE),
+    Way(40, 40, 0.2, 0.7, NONE),
+    Way(30, 4, 0.0, 1.0, FREE),
 )
+# Where no step went before in the same direction, one tendon node after the other may turn round before the
+# residual falls.
+AFRESH = Way(100, 40, 0.0, 1.0, NONE)
 SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
 UNBALANCED = 4  # and: the iteration converged to what statics does not confirm
 
 
 @kernel
-def find_equilibrium(case, target, factor, ahead):
+def find_equilibrium(case, target, factor, ahead, afresh):
     """Look for equilibrium from the committed state; returns (status, factor, iterations, largest imbalance).
 
-    ahead: of the last recorded change of displacements, what to start the first way with.
+    ahead: of the last recorded change of displacements, what to start the first way with. afresh: no step
+    went before in the same direction.
     """
     spent = 0
     status = SPENT
@@ -36,7 +40,8 @@ def find_equilibrium(case, target, factor, ahead):
         guess = factor
         if k == 0 and ahead > 0.0:
             guess += extrapolate(ahead, case)
-        status, reached, iterations, error = equilibrate(case, target, guess, WAYS[k])
+        way = AFRESH if k == 0 and afresh else WAYS[k]
+        status, reached, iterations, error = equilibrate(case, target, guess, way)
         spent += iterations
         case.work.spent[0] += iterations
         if status == CONVERGED:

@@ -34,7 +34,7 @@ class Loading:
 
     def reach(self, steps, ahead=0.0):
         """(status, factor, iterations, imbalance) of a try, which is not accepted."""
-        return find_equilibrium(self.handle, self.target(steps), self.factor, ahead)
+        return find_equilibrium(self.handle, self.target(steps), self.factor, ahead, False)
 
     def accept(self, found):
         status, self.factor, iterations, error = found
