@@ -14,10 +14,10 @@ from typing import NamedTuple
 from ptbatch import __version__
 from ptbatch.core import cache
 
-NEEDED = ("numba", "llvmlite", "numpy", "scipy", "openpyxl", "defusedxml", "matplotlib", "click")
+NEEDED = ("numba", "llvmlite", "numpy", "scipy", "openpyxl", "defusedxml", "matplotlib", "click", "jinja2")
 OPTIONAL = {
     "pyarrow": ("Parquet tables", "pip install 'ptbatch[parquet]'"),
-    "distributed": ("several machines", "pip install distributed"),
+    "distributed": ("several machines", "pip install 'ptbatch[cluster]'"),
 }
 LEAST_DISK, ENOUGH_DISK = 200 * 2**20, 2 * 2**30
 SYMBOLS = {"ok": "ok  ", "note": "note", "fault": "BAD "}
