@@ -96,6 +96,8 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
         again.rig.case.work.spent[:] = run.rig.case.work.spent  # one budget for all of them
         run = again
         stress(run)
+    else:
+        raise stages.NoEquilibriumError(stages.JACKING, stages.NO_MEAN, 1.0)
     return run
 
 

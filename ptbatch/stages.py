@@ -21,10 +21,12 @@ JACKING, SETTING, ANCHORING, SUSTAINED, LIVE = range(5)
 NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
 LEFT, RIGHT = 0, 1
 LET_GO = 1.0 - 1e-6  # of the friction force: nodes about to turn round stick first, rather than slide on
+NO_MEAN = 4  # beside how a stage can end: no jacking stress was found for `fpe`
 WHY = {
     NO_EQUILIBRIUM: "no equilibrium was found",
     NO_BUDGET: "the iterations allowed did not lead",
     NO_ROOM: "the steps allowed did not lead",
+    NO_MEAN: "no stress was found that leaves fpe,",
 }
 
 

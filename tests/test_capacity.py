@@ -102,3 +102,11 @@ def test_a_member_that_fails_under_its_dead_load_says_so_and_has_no_capacity(w_d
     assert response.message.endswith("under the sustained load: no live load can be carried")
     assert row["load_peak [kN]"] == row["load_cracking [kN]"] == "none: see message"
     assert 4000.0 < row["failure_x [mm]"] < 8000.0
+
+
+def test_a_mean_stress_that_is_not_found_is_no_result(monkeypatch):
+    monkeypatch.setattr("ptbatch.analysis.FPE_TOLERANCE", -1.0)  # so that no stress will do
+    response = analyse(Member(**{key: value for key, value in BEAM.items() if key != "fpj"} | {"fpe": 1000}))
+    row = summary_row(response.member, response)
+    assert response.status == "not converged" and "no stress was found that leaves fpe" in response.message
+    assert row["load_peak [kN]"] == row["stress_anchored_mean [MPa]"] == "not converged: see message"

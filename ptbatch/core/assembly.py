@@ -8,7 +8,6 @@ from ptbatch.core.contact import (
     GROUTED,
     HELD,
     UNKNOWN,
-    as_it_moves,
     contact_forces,
     project,
     segment,
@@ -181,7 +180,34 @@ def add_ends(model, state, u, ends, work):
 
 
 @kernel
-def internal_forces(model, state, u, ends, bonded, frozen, work):
+def duct_force(j, held, model, state, u, work):
+    """work.f8 of the contact element of tendon node j on its present segment, by the laws as they stand; also
+    returned: (N, T_t, s). held: as grout would hold it."""
+    gather_contact(j, model, u, work)
+    seg = segment(work.segment[j], model)
+    work.xi[j] = project(work.q12, work.xi[j], seg)
+    N, Tt, s, _ = contact_forces(
+        work.q12,
+        work.xi[j],
+        work.T[j - 1],
+        work.T[j],
+        0.0,
+        0.0,
+        work.length[j - 1],
+        work.length[j],
+        state.s[j],
+        state.rub[j],
+        work.rough[j],
+        GROUTED if held else UNKNOWN,
+        seg,
+        model.contact,
+        work.f8,
+    )
+    return N, Tt, s
+
+
+@kernel
+def internal_forces(model, state, u, ends, bonded, work):
     """work.f at u, on the duct segments found by the last search: the cheap path of the line search."""
     n = model.x.size - 1
     place_tendon(model, u, work)
@@ -202,27 +228,8 @@ def internal_forces(model, state, u, ends, bonded, frozen, work):
             work.f[a + i] -= work.T[e] * work.chord[e, i]
             work.f[b + i] += work.T[e] * work.chord[e, i]
     for j in range(1, n + 1):
-        gather_contact(j, model, u, work)
-        seg = segment(work.segment[j], model)
         held = bonded or work.motion[j] == GROUTED
-        work.xi[j] = project(work.q12, work.xi[j], seg)
-        work.normal[j], work.shear[j], work.s[j], _ = contact_forces(
-            work.q12,
-            work.xi[j],
-            work.T[j - 1],
-            work.T[j],
-            0.0,
-            0.0,
-            work.length[j - 1],
-            work.length[j],
-            state.s[j],
-            state.rub[j],
-            work.rough[j],
-            GROUTED if held else as_it_moves(work.motion[j]) if frozen else UNKNOWN,
-            seg,
-            model.contact,
-            work.f8,
-        )
+        work.normal[j], work.shear[j], work.s[j] = duct_force(j, held, model, state, u, work)
         add_contact_forces(j, work)
     add_ends(model, state, u, ends, work)
 

@@ -136,14 +136,6 @@ def friction(slip, rub, N, T, rough, was, c):
 
 
 @kernel
-def as_it_moves(motion):
-    """The `was` that lets a node go on as it moves, whatever its trial force says."""
-    if motion == FORWARD:
-        return EXPECTED_FORWARD
-    return EXPECTED_BACKWARD if motion == BACKWARD else GROUTED
-
-
-@kernel
 def chords(a, b):
     """Unit vectors of the two chords that meet at a tendon node and of their bisector t', across n' of eqs
     (16)-(17): (e3, e4, t')."""

@@ -10,8 +10,7 @@ the duct, which must lie within Coulomb's cone.
 import numpy as np
 
 from ptbatch.core.anchorage import anchor, end_forces
-from ptbatch.core.assembly import gather_contact, gather_end, internal_forces
-from ptbatch.core.contact import GROUTED, UNKNOWN, contact_forces, segment
+from ptbatch.core.assembly import duct_force, gather_end, internal_forces
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import beam_dof, tendon_dof
 
@@ -19,7 +18,7 @@ from ptbatch.core.model import beam_dof, tendon_dof
 @kernel
 def imbalance(case, target, factor):
     """Largest relative imbalance of the trial."""
-    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, False, case.work)
+    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, case.work)
     return imbalance_as_evaluated(case, target, factor)
 
 
@@ -42,7 +41,7 @@ def on_beam(case, target, factor):
             load = target.fixed[at] + factor * target.pattern[at]
             work.on_beam[k, i] = work.f[at] if model.held[at] else load  # load + reaction where held
     for j in range(1, n + 1):
-        duct_force(j, case, target.bonded)
+        duct_force(j, target.bonded, model, case.state, work.trial, work)
         m = work.segment[j]
         for i in range(3):
             work.on_beam[m, i] -= work.f8[2 + i]
@@ -51,30 +50,6 @@ def on_beam(case, target, factor):
         end_force(side, case)
         for i in range(3):
             work.on_beam[side * n, i] -= work.f6[1 + i]
-
-
-@kernel
-def duct_force(j, case, bonded):
-    """work.f8 of the contact element of tendon node j at the trial."""
-    model, state, work = case.model, case.state, case.work
-    gather_contact(j, model, work.trial, work)
-    contact_forces(
-        work.q12,
-        work.xi[j],
-        work.T[j - 1],
-        work.T[j],
-        0.0,
-        0.0,
-        work.length[j - 1],
-        work.length[j],
-        state.s[j],
-        state.rub[j],
-        work.rough[j],
-        GROUTED if bonded else UNKNOWN,
-        segment(work.segment[j], model),
-        model.contact,
-        work.f8,
-    )
 
 
 @kernel

@@ -14,7 +14,6 @@ from ptbatch.core.model import PRESCRIBED, tendon_dof
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
 NEAR, NEARER = 1e-3, 1e-6  # relative residuals: the next step may arrive; the last tangent will do
-NONE, FREE, FROZEN = range(3)  # searching along a step
 NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
 SETTLED = 4  # iterations without a lower residual after which one at round-off has come to rest
 
@@ -28,7 +27,7 @@ class Way(NamedTuple):
     patience: int
     damping: float
     decay: float
-    search: int
+    search: bool
 
 
 @kernel
@@ -93,36 +92,36 @@ def hold(model, work):
 
 
 @kernel
-def move(eta, case, target, factor, frozen):
+def move(eta, case, target, factor):
     """Go to eta along the step; what is left of its work there."""
     work = case.work
     for i in range(work.trial.size):
         work.trial[i] = work.before[i] + eta * work.du[i]
-    internal_forces(case.model, case.state, work.trial, case.ends, target.bonded, frozen, work)
+    internal_forces(case.model, case.state, work.trial, case.ends, target.bonded, work)
     unbalance(case, target, factor)
     return power_of_step(case)
 
 
 @kernel
-def line_search(case, target, factor, dfactor, frozen):
+def line_search(case, target, factor, dfactor):
     """The share eta of the step to take: the whole where that lowers the work or the residual, else a zero of
     the work (Illinois)."""
     start = power_of_step(case)
     norm = residual_norm(case)
     case.work.before[:] = case.work.trial
     eta = 1.0
-    g = move(eta, case, target, factor + eta * dfactor, frozen)
+    g = move(eta, case, target, factor + eta * dfactor)
     for _ in range(8):
         if np.isfinite(g):
             break
         eta *= 0.25
-        g = move(eta, case, target, factor + eta * dfactor, frozen)
+        g = move(eta, case, target, factor + eta * dfactor)
     if abs(g) <= 0.8 * abs(start) or g * start > 0.0 or residual_norm(case) <= 0.9 * norm:
         return eta
     low, g_low, high, g_high = 0.0, start, eta, g
     for _ in range(12):
         eta = (low * g_high - high * g_low) / (g_high - g_low)
-        g = move(eta, case, target, factor + eta * dfactor, frozen)
+        g = move(eta, case, target, factor + eta * dfactor)
         if abs(g) <= 0.5 * abs(start):
             break
         if g * g_high < 0.0:
@@ -171,7 +170,7 @@ def step(case, target, anew):
 def residual_alone(case, target, factor):
     """Relative residual of the trial, by the laws as they stand and without a tangent."""
     find_segments(case.model, case.work.trial, case.work)
-    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, False, case.work)
+    internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, case.work)
     unbalance(case, target, factor)
     return residual_norm(case)
 
@@ -202,7 +201,7 @@ def equilibrate(case, target, factor, way):
                 increment = increment_norm(case)
                 norm = NEAR
                 continue
-        if way.search == FREE:
+        if way.search:
             work.motion[:] = UNKNOWN
         tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)
         unbalance(case, target, factor)
@@ -226,8 +225,8 @@ def equilibrate(case, target, factor, way):
             return SINGULAR, factor, iteration, norm
         damping *= way.decay
         reused = np.inf
-        if way.search != NONE and iteration > 0:  # from equilibrium there is no work to search along
-            factor += dfactor * line_search(case, target, factor, dfactor, way.search == FROZEN)
+        if way.search and iteration > 0:  # from equilibrium there is no work to search along
+            factor += dfactor * line_search(case, target, factor, dfactor)
         else:
             work.trial[:] += work.du
             factor += dfactor

@@ -5,19 +5,19 @@ import numpy as np
 from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.history import commit, record, rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.newton import CONVERGED, FREE, NONE, Way, equilibrate
+from ptbatch.core.newton import CONVERGED, Way, equilibrate
 
 # What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may
 # leave no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps
 # are for friction that turns round everywhere.
 WAYS = (
-    Way(20, 4, 0.0, 1.0, NONE),
-    Way(40, 40, 0.2, 0.7, NONE),
-    Way(30, 4, 0.0, 1.0, FREE),
+    Way(20, 4, 0.0, 1.0, False),
+    Way(40, 40, 0.2, 0.7, False),
+    Way(30, 4, 0.0, 1.0, True),
 )
 # Where no step went before in the same direction, one tendon node after the other may turn round before the
 # residual falls.
-AFRESH = Way(100, 40, 0.0, 1.0, NONE)
+AFRESH = Way(100, 40, 0.0, 1.0, False)
 SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
 UNBALANCED = 4  # and: the iteration converged to what statics does not confirm
 

@@ -13,7 +13,6 @@ from ptbatch.core.contact import (
     STICKING,
     UNKNOWN,
     Segment,
-    as_it_moves,
     contact_forces,
     friction,
     project,
@@ -160,14 +159,6 @@ def test_an_expected_motion_is_taken_as_given_once(slip):
     assert slide(slip, was=EXPECTED_BACKWARD) == (-CAPACITY, BACKWARD)
     # and after that it is a motion like any other
     assert slide(slip, was=FORWARD)[1] == {-1.0: HELD, 0.0: STICKING, 1.0: FORWARD}[slip]
-
-
-def test_going_on_as_it_moves_forgets_the_trial_force():
-    for slip in (-1.0, 0.0, 1.0):
-        assert force(slip, was=as_it_moves(FORWARD)) == CAPACITY
-        assert force(slip, was=as_it_moves(BACKWARD)) == -CAPACITY
-        for still in (STICKING, HELD, GROUTED):
-            assert force(slip, was=as_it_moves(still)) == slip * STIFF
 
 
 def test_a_penalty_far_from_equilibrium_does_not_move_the_capacity():
