@@ -121,9 +121,14 @@ def anchor(rig: Rig, load: Array) -> None:
 
 
 def sustain(rig: Rig, loads: Pair, bonded: bool) -> None:
-    """Service, first part: the sustained load comes on."""
+    """Service, first part: the sustained load comes on. Where a material is past its limit strain the member
+    has failed, and what lies beyond need not be found."""
     held = rig.case.ends.value.copy()
-    move(rig, SUSTAINED, loads, (held, held), bonded)
+    try:
+        move(rig, SUSTAINED, loads, (held, held), bonded)
+    except NoEquilibriumError:
+        if not rig.failed:
+            raise
 
 
 def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bonded: bool) -> int:
