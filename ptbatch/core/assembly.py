@@ -216,7 +216,7 @@ def internal_forces(model, state, u, ends, bonded, work):
     for e in range(n):
         for i in range(6):
             work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-        beam_forces(e, model, state, work.q6, work.f6)
+        beam_forces(e, model, state, work.q6, work.fibre, work.f6)
         for i in range(3):
             work.left_end[e, i] = work.f6[i]
         for i in range(6):
@@ -289,7 +289,7 @@ def tangent(model, state, u, ends, bonded, damping, work):
 def add_beam(e, model, state, u, damping, work):
     for i in range(6):
         work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-    beam_tangent(e, model, state, work.q6, damping, work.f6, work.k6)
+    beam_tangent(e, model, state, work.q6, damping, work.fibre, work.f6, work.k6)
     for i in range(6):
         work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
     for i in range(2):

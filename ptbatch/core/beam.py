@@ -7,7 +7,7 @@ curvature and moment are positive, the layer at height y strains by eps0 - y kap
 
 import numpy as np
 
-from ptbatch.core.concrete import commit_concrete, concrete_stress
+from ptbatch.core.concrete import commit_concrete, fibres
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.steel import commit_steel, steel_stress
 
@@ -15,63 +15,57 @@ GAUSS = 0.5 - 0.5 / np.sqrt(3.0), 0.5 + 0.5 / np.sqrt(3.0)
 
 
 @kernel
-def fibre(past, i):
-    """History of one fibre, out of its array: a view of it would cost more than the law."""
-    return past[i, 0], past[i, 1], past[i, 2], past[i, 3], past[i, 4]
-
-
-@kernel
-def section_forces(eps0, kappa, model, past, plastic, bar_area):
-    """(N, M) of one section."""
-    N = 0.0
-    M = 0.0
-    for i in range(model.layer_y.size):
-        y = model.layer_y[i]
-        force = model.layer_area[i] * concrete_stress(eps0 - y * kappa, fibre(past, i), model.concrete)
+def section_forces(eps0, kappa, model, past, plastic, bar_area, fibre):
+    """(N, M) of one section; fibre (2, m) is scratch for stress and modulus of the layers."""
+    y, area, stress = model.layer_y, model.layer_area, fibre[0]
+    fibres(eps0, kappa, y, past, model.concrete, stress, fibre[1])
+    N = M = 0.0
+    for i in range(y.size):
+        force = area[i] * stress[i]
         N += force
-        M -= y * force
+        M -= y[i] * force
     for i in range(model.bar_y.size):
         if bar_area[i] > 0.0 and not np.isnan(plastic[i]):
-            y = model.bar_y[i]
-            force = bar_area[i] * steel_stress(eps0 - y * kappa, plastic[i], model.bar_fy[i], model.steel)
+            height = model.bar_y[i]
+            force = bar_area[i] * steel_stress(
+                eps0 - height * kappa, plastic[i], model.bar_fy[i], model.steel
+            )
             N += force
-            M -= y * force
+            M -= height * force
     return N, M
 
 
 @kernel
-def section_tangent(eps0, kappa, model, past, plastic, bar_area, damping):
-    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa): one complex evaluation a fibre gives stress and
-    modulus.
+def section_tangent(eps0, kappa, model, past, plastic, bar_area, damping, fibre):
+    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa).
 
     damping: added to the modulus of each concrete fibre, as a share of the uncracked one.
     """
-    N = 0.0
-    M = 0.0
-    EA = 0.0
-    ES = 0.0
-    EI = 0.0
-    for i in range(model.layer_y.size):
-        y = model.layer_y[i]
-        stress = concrete_stress(complex(eps0 - y * kappa, STEP), fibre(past, i), model.concrete)
-        force = model.layer_area[i] * stress.real
-        stiffness = model.layer_area[i] * (stress.imag / STEP + damping * model.concrete.E0)
+    y, area, stress, modulus = model.layer_y, model.layer_area, fibre[0], fibre[1]
+    fibres(eps0, kappa, y, past, model.concrete, stress, modulus)
+    more = damping * model.concrete.E0
+    N = M = EA = ES = EI = 0.0
+    for i in range(y.size):
+        force = area[i] * stress[i]
+        stiffness = area[i] * (modulus[i] + more)
         N += force
-        M -= y * force
+        M -= y[i] * force
         EA += stiffness
-        ES -= y * stiffness
-        EI += y * y * stiffness
+        ES -= y[i] * stiffness
+        EI += y[i] * y[i] * stiffness
     for i in range(model.bar_y.size):
         if bar_area[i] > 0.0 and not np.isnan(plastic[i]):
-            y = model.bar_y[i]
-            stress = steel_stress(complex(eps0 - y * kappa, STEP), plastic[i], model.bar_fy[i], model.steel)
-            force = bar_area[i] * stress.real
-            stiffness = bar_area[i] * (stress.imag / STEP)
+            height = model.bar_y[i]
+            bar = steel_stress(
+                complex(eps0 - height * kappa, STEP), plastic[i], model.bar_fy[i], model.steel
+            )
+            force = bar_area[i] * bar.real
+            stiffness = bar_area[i] * (bar.imag / STEP)
             N += force
-            M -= y * force
+            M -= height * force
             EA += stiffness
-            ES -= y * stiffness
-            EI += y * y * stiffness
+            ES -= height * stiffness
+            EI += height * height * stiffness
     return N, M, EA, ES, EI
 
 
@@ -94,8 +88,8 @@ def strains(length, elongation, turn1, turn2, xi):
 
 
 @kernel
-def beam_forces(e, model, state, d, f):
-    """Nodal forces f (6,) of element e at the displacements d (6,)."""
+def beam_forces(e, model, state, d, fibre, f):
+    """Nodal forces f (6,) of element e at the displacements d (6,); fibre: see `section_forces`."""
     length = model.x[e + 1] - model.x[e]
     elongation, c, s, now, turn1, turn2 = chord(length, d)
     N = 0.0
@@ -104,7 +98,9 @@ def beam_forces(e, model, state, d, f):
     for g in range(2):
         xi = GAUSS[g]
         eps0, kappa = strains(length, elongation, turn1, turn2, xi)
-        Ng, Mg = section_forces(eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e])
+        Ng, Mg = section_forces(
+            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], fibre
+        )
         N += 0.5 * Ng
         M1 += 0.5 * (6.0 * xi - 4.0) * Mg
         M2 += 0.5 * (6.0 * xi - 2.0) * Mg
@@ -118,9 +114,9 @@ def beam_forces(e, model, state, d, f):
 
 
 @kernel
-def beam_tangent(e, model, state, d, damping, f, k):
-    """Nodal forces f (6,) and tangent k (6, 6): material part by the complex step in the fibres, geometric
-    part of the chord."""
+def beam_tangent(e, model, state, d, damping, fibre, f, k):
+    """Nodal forces f (6,) and tangent k (6, 6): material part by the moduli of the fibres, geometric part of
+    the chord; fibre: see `section_forces`."""
     length = model.x[e + 1] - model.x[e]
     elongation, c, s, now, turn1, turn2 = chord(length, d)
     N = M1 = M2 = 0.0
@@ -131,7 +127,7 @@ def beam_tangent(e, model, state, d, damping, f, k):
         b2 = 6.0 * xi - 2.0
         eps0, kappa = strains(length, elongation, turn1, turn2, xi)
         Ng, Mg, EA, ES, EI = section_tangent(
-            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], damping
+            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], damping, fibre
         )
         N += 0.5 * Ng
         M1 += 0.5 * b1 * Mg
@@ -150,24 +146,39 @@ def beam_tangent(e, model, state, d, damping, f, k):
     f[3] = -f[0]
     f[4] = -f[1]
     f[5] = M2
-    r = (-c, -s, 0.0, c, s, 0.0)  # d elongation
-    z = (s, -c, 0.0, -s, c, 0.0)  # now * d turn, negative of the chord's rotation
-    for i in range(6):
-        t1 = -z[i] / now + (1.0 if i == 2 else 0.0)
-        t2 = -z[i] / now + (1.0 if i == 5 else 0.0)
-        a0 = k00 * r[i] + k01 * t1 + k02 * t2
-        a1 = k01 * r[i] + k11 * t1 + k12 * t2
-        a2 = k02 * r[i] + k12 * t1 + k22 * t2
-        for j in range(6):
-            u1 = -z[j] / now + (1.0 if j == 2 else 0.0)
-            u2 = -z[j] / now + (1.0 if j == 5 else 0.0)
-            k[i, j] = (
-                a0 * r[j]
-                + a1 * u1
-                + a2 * u2
-                + N / now * z[i] * z[j]
-                + shear / now * (r[i] * z[j] + z[i] * r[j])
-            )
+    # By the far end along the chord (a) and across it (b), and by the two rotations; the chord turns by b / now
+    ab = (shear - k01 - k02) / now
+    bb = (k11 + 2.0 * k12 + k22) / (now * now) + N / now
+    b1, b2 = -(k11 + k12) / now, -(k12 + k22) / now
+    xx = c * c * k00 - 2.0 * c * s * ab + s * s * bb
+    xy = c * s * (k00 - bb) + (c * c - s * s) * ab
+    yy = s * s * k00 + 2.0 * c * s * ab + c * c * bb
+    x1, y1 = c * k01 - s * b1, s * k01 + c * b1
+    x2, y2 = c * k02 - s * b2, s * k02 + c * b2
+    fill_symmetric(k, xx, xy, yy, x1, y1, x2, y2, k11, k12, k22)
+
+
+@kernel
+def fill_symmetric(k, xx, xy, yy, x1, y1, x2, y2, k11, k12, k22):
+    """k (6, 6) from that of the far end's x and y and of the two rotations: the near end moves the other
+    way."""
+    k[3, 3] = k[0, 0] = xx
+    k[4, 4] = k[1, 1] = yy
+    k[3, 4] = k[4, 3] = k[0, 1] = k[1, 0] = xy
+    k[0, 3] = k[3, 0] = -xx
+    k[1, 4] = k[4, 1] = -yy
+    k[0, 4] = k[4, 0] = k[1, 3] = k[3, 1] = -xy
+    k[3, 2] = k[2, 3] = x1
+    k[4, 2] = k[2, 4] = y1
+    k[0, 2] = k[2, 0] = -x1
+    k[1, 2] = k[2, 1] = -y1
+    k[3, 5] = k[5, 3] = x2
+    k[4, 5] = k[5, 4] = y2
+    k[0, 5] = k[5, 0] = -x2
+    k[1, 5] = k[5, 1] = -y2
+    k[2, 2] = k11
+    k[2, 5] = k[5, 2] = k12
+    k[5, 5] = k22
 
 
 @kernel
@@ -180,8 +191,8 @@ def commit_beam(e, model, state, d):
         past = state.concrete[e, g]
         for i in range(model.layer_y.size):
             eps = eps0 - model.layer_y[i] * kappa
-            if eps + past[i, 4] > past[i, 0] or -eps > past[i, 2]:
-                commit_concrete(eps, past[i], model.concrete)
+            if eps + past[4, i] > past[0, i] or -eps > past[2, i]:
+                commit_concrete(eps, past[:, i], model.concrete)
         for i in range(model.bar_y.size):
             eps = eps0 - model.bar_y[i] * kappa
             state.bar[e, g, i] = commit_steel(eps, state.bar[e, g, i], model.bar_fy[i], model.steel)

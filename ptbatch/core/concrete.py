@@ -6,11 +6,15 @@ strength. Tension is counted from that residual strain. On reversal from a crack
 to where tension is counted from, and reopens on it: an opened crack does not carry ft again. Beyond
 `crushing_strain` the last stress is held: the member has failed by then (the event is reported and capacity
 is taken no later), and the curve that follows is for information.
+
+Nearly all laws are made of a few parabolas, so that a fibre picks the coefficients of the one
+it is on, without a branch in the code, and a whole section is one loop that the processor can take several
+fibres of at a time. Of a law with a power in it the tangent takes their place.
 """
 
 from typing import NamedTuple
 
-from ptbatch.core.jit import inverse, kernel, power
+from ptbatch.core.jit import STEP, inverse, kernel, power
 
 HOGNESTAD, PARABOLA_RECTANGLE, POPOVICS, ELASTIC = range(4)
 NO_TENSION, SOFTENING, STIFFENING = range(3)
@@ -30,29 +34,23 @@ class Concrete(NamedTuple):
     ft: float
     eps_cr: float
     eps_end: float  # where the tension branch reaches zero
+    curved: bool  # whether the compression branch has a power in it, so that `pressed` is not used
+    pressed: tuple  # of 3 pieces (up to which strain, a, b, c) of a + b x + c x^2; the last one goes on
+    opened: tuple  # of 4 pieces (up to which strain, a, b) of a + b x; then zero
 
 
 @kernel
-def compression(x, c):
-    """Envelope stress (positive) at a compressive strain x >= 0.
+def power_law(x, c):
+    """Envelope stress (positive) at a compressive strain x >= 0 of the laws with a power in them.
 
-    Hognestad (1951): parabola to fc, straight to 0.85 fc at the crushing strain. EN 1992-1-1 (3.17):
-    parabola-rectangle. Popovics (1973) in Collins and Mitchell's form.
+    EN 1992-1-1 (3.17): parabola-rectangle. Popovics (1973) in Collins and Mitchell's form.
     """
-    if c.law == ELASTIC:
-        return c.Ec * x
     if x.real > c.crushing_strain:
         x = c.crushing_strain + 0.0 * x
     ratio = x * (1.0 / c.eps_c)
-    if c.law == HOGNESTAD:
-        if ratio.real <= 1.0:
-            return c.fc * ratio * (2.0 - ratio)
-        return c.fc * (1.0 - (x - c.eps_c) * (0.15 / (c.crushing_strain - c.eps_c)))
     if c.law == PARABOLA_RECTANGLE:
         if ratio.real >= 1.0:
             return c.fc + 0.0 * x
-        if c.exponent == 2.0:
-            return c.fc * ratio * (2.0 - ratio)
         return c.fc * (1.0 - power(1.0 - ratio, c.exponent))
     if ratio.real == 0.0:
         return c.fc * c.exponent / (c.exponent - 1.0) * ratio
@@ -60,40 +58,77 @@ def compression(x, c):
 
 
 @kernel
-def tension(x, c):
-    """Envelope stress at a tensile strain x >= 0.
-
-    `softening`: straight from ft to zero at eps_end. `stiffening`: Nayal and Rasheed (2006) after Gilbert and
-    Warner (1978), 0.8 ft just after cracking, 0.45 ft at 4 eps_cr, zero at 10 eps_cr, stretched to eps_end;
-    the sudden drop to 0.8 ft is spread over the first quarter of eps_cr, so that stress is a function of
-    strain.
-    """
-    if c.law == ELASTIC:
-        return c.Ec * x
-    if c.tension_law == NO_TENSION or x.real >= c.eps_end:
-        return 0.0 * x
-    if x.real <= c.eps_cr:
-        return c.ft / c.eps_cr * x
-    if c.tension_law == SOFTENING:
-        return (c.eps_end - x) * (c.ft / (c.eps_end - c.eps_cr))
-    knee = c.eps_cr + (c.eps_end - c.eps_cr) / 36.0
-    middle = c.eps_cr + (c.eps_end - c.eps_cr) / 3.0
-    if x.real <= knee:
-        return c.ft * (1.0 - (x - c.eps_cr) * (0.23 / (knee - c.eps_cr)))
-    if x.real <= middle:
-        return c.ft * (0.77 - (x - knee) * (0.32 / (middle - knee)))
-    return (c.eps_end - x) * (0.45 * c.ft / (c.eps_end - middle))
+def tangent_line(x, c):
+    """Coefficients (a, b, 0) of the tangent to `power_law` at x, by the complex step."""
+    stress = power_law(complex(x, STEP), c)
+    slope = stress.imag / STEP
+    return stress.real - slope * x, slope, 0.0
 
 
 @kernel
-def concrete_stress(eps, past, c):
-    """Stress of a fibre. past, five strains and moduli as magnitudes: worst tension, its secant, worst
-    compression, its unloading modulus and residual strain.
+def parabola(x, c):
+    """Coefficients (a, b, c) of a + b x + c x^2, the envelope at a compressive strain x >= 0 of a law that is
+    made of pieces."""
+    p, q, r = c.pressed
+    first, second = x <= p[0], x <= q[0]
+    a = p[1] if first else (q[1] if second else r[1])
+    b = p[2] if first else (q[2] if second else r[2])
+    return a, b, p[3] if first else (q[3] if second else r[3])
+
+
+@kernel
+def compression(x, c):
+    """Envelope stress (positive) at a compressive strain x >= 0."""
+    line = tangent_line(x, c) if c.curved else parabola(x, c)
+    return line[0] + x * (line[1] + x * line[2])
+
+
+@kernel
+def opened(x, c):
+    """Coefficients (a, b) of a + b x, the envelope at a tensile strain x >= 0."""
+    o, p, q, r = c.opened
+    a = o[1] if x <= o[0] else (p[1] if x <= p[0] else (q[1] if x <= q[0] else r[1]))
+    b = o[2] if x <= o[0] else (p[2] if x <= p[0] else (q[2] if x <= q[0] else r[2]))
+    within = x < r[0]
+    return a if within else 0.0, b if within else 0.0
+
+
+@kernel
+def piece(eps, worst_opening, secant, worst_pressed, unloading, residual, envelope, c):
+    """Coefficients (a, b, c) of a + b eps + c eps^2, the stress of a fibre at the strain eps.
+
+    worst_opening .. residual: its history, see `commit_concrete`; envelope: that of compression at -eps.
     """
-    opening = eps + past[4]
-    if opening.real > 0.0:  # at rest a fibre shows its compressive modulus, also where tension has none
-        return past[1] * opening if opening.real < past[0] else tension(opening, c)
-    return past[3] * opening if -eps.real < past[2] else -compression(-eps, c)
+    opening = eps + residual
+    a, b = opened(opening, c)
+    back = opening < worst_opening
+    a, b = (0.0 if back else a), (secant if back else b)
+    under = -eps < worst_pressed
+    d = unloading * residual if under else -envelope[0]
+    e = unloading if under else envelope[1]
+    f = 0.0 if under else -envelope[2]
+    tense = opening > 0.0  # at rest a fibre shows its compressive modulus, also where tension has none
+    return a + b * residual if tense else d, b if tense else e, 0.0 if tense else f
+
+
+@kernel
+def fibres(eps0, kappa, layer_y, past, c, stress, modulus):
+    """Stress and modulus (m,) of the layers at layer_y (m,) with the histories past (5, m), under the strains
+    eps0 - y kappa."""
+    if c.curved:
+        for i in range(layer_y.size):
+            eps = eps0 - layer_y[i] * kappa
+            envelope = tangent_line(-eps, c) if -eps >= past[2, i] else (0.0, 0.0, 0.0)
+            a, b, d = piece(eps, past[0, i], past[1, i], past[2, i], past[3, i], past[4, i], envelope, c)
+            stress[i] = a + eps * (b + eps * d)
+            modulus[i] = b + 2.0 * eps * d
+        return
+    for i in range(layer_y.size):
+        eps = eps0 - layer_y[i] * kappa
+        envelope = parabola(-eps, c)
+        a, b, d = piece(eps, past[0, i], past[1, i], past[2, i], past[3, i], past[4, i], envelope, c)
+        stress[i] = a + eps * (b + eps * d)
+        modulus[i] = b + 2.0 * eps * d
 
 
 @kernel
@@ -108,13 +143,15 @@ def residual_strain(x, c):
 
 @kernel
 def commit_concrete(eps, past, c):
-    """Move the worst strains on where eps exceeds them."""
+    """Move the history past (5,) on where eps exceeds it; strains and moduli as magnitudes: worst tension,
+    its secant, worst compression, its unloading modulus and residual strain."""
     if c.law == ELASTIC:
         return
     opening = eps + past[4]
     if opening > past[0]:
         past[0] = opening
-        past[1] = tension(opening, c) / opening
+        a, b = opened(opening, c)
+        past[1] = a / opening + b
     elif -eps > past[2]:
         past[2] = -eps
         past[4] = residual_strain(-eps, c)

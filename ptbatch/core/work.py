@@ -37,6 +37,7 @@ class Work(NamedTuple):
     on_beam: np.ndarray  # (n+1, 3) for the check by statics: forces on the beam nodes,
     left_end: np.ndarray  # (n+1, 3) and those of the fibres at the left end of each element
     half_tan: np.ndarray  # (2,) tan(theta/2) of the kinks at the anchors
+    fibre: np.ndarray  # (2, m) stress and modulus of the layers of one section
     f6: np.ndarray
     q6: np.ndarray
     k6: np.ndarray  # (6, 6)
@@ -52,8 +53,8 @@ class Work(NamedTuple):
 WorkRef = reference(Work, "WorkRef")
 
 
-def new_work(n: int, half: int) -> Work:
-    """Work for n beam elements and a half bandwidth."""
+def new_work(n: int, half: int, layers: int) -> Work:
+    """Work for n beam elements, a half bandwidth and that many layers of concrete."""
     ndof = 5 * n + 7
     vectors = [np.zeros(ndof) for _ in range(6)]
     complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6)]
@@ -76,6 +77,7 @@ def new_work(n: int, half: int) -> Work:
         np.zeros((n + 1, 3)),
         np.zeros((n + 1, 3)),
         np.zeros(2),
+        np.zeros((2, layers)),
         np.zeros(6),
         np.zeros(6),
         np.zeros((6, 6)),

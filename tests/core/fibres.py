@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ptbatch.core.concrete import commit_concrete, concrete_stress
+from ptbatch.core.concrete import commit_concrete, fibres
 from ptbatch.member import Member
 from ptbatch.model.materials import concrete
 
@@ -18,8 +18,22 @@ def law(concrete_law="hognestad", tension_law="stiffening", fc=40.0, **more):
     return concrete(Member(**values | laws | more))
 
 
+def fibre(eps, c, past=None):
+    """(stress, modulus) [MPa]."""
+    found = np.zeros((2, 1))
+    past = np.zeros(5) if past is None else past
+    fibres(eps, 0.0, np.zeros(1), past.reshape(5, 1), c, found[0], found[1])
+    return found[:, 0]
+
+
 def stress(eps, c, past=None):
-    return concrete_stress(eps, np.zeros(5) if past is None else past, c)
+    """Stress [MPa]."""
+    return fibre(eps, c, past)[0]
+
+
+def modulus(eps, c, past=None):
+    """Modulus [MPa]."""
+    return fibre(eps, c, past)[1]
 
 
 def history(c, *strains):

@@ -22,15 +22,20 @@ def arrays(**more):
     return prepare(setup, setup.member.fpj).rig.case[:2]
 
 
+def fibre(model):
+    """Scratch for the layers of a section."""
+    return np.zeros((2, len(model.layer_y)))
+
+
 def forces(model, state, d):
     f = np.zeros(6)
-    beam_forces(E, model, state, d, f)
+    beam_forces(E, model, state, d, fibre(model), f)
     return f
 
 
 def tangent(model, state, d, damping=0.0):
     f, k = np.zeros(6), np.zeros((6, 6))
-    beam_tangent(E, model, state, d, damping, f, k)
+    beam_tangent(E, model, state, d, damping, fibre(model), f, k)
     return f, k
 
 
@@ -132,6 +137,6 @@ def test_cracked_element_is_softer_on_its_way_back():
 def test_ruptured_bars_carry_nothing():
     model, state = arrays()
     at = 0.0, 1e-6, model, state.concrete[E, 0]
-    plain = section_forces(*at, np.zeros(3), np.zeros(3))
-    assert section_forces(*at, np.full(3, np.nan), model.bar_area[E]) == plain
-    assert section_forces(*at, np.zeros(3), model.bar_area[E])[1] > plain[1] + 1e4
+    plain = section_forces(*at, np.zeros(3), np.zeros(3), fibre(model))
+    assert section_forces(*at, np.full(3, np.nan), model.bar_area[E], fibre(model)) == plain
+    assert section_forces(*at, np.zeros(3), model.bar_area[E], fibre(model))[1] > plain[1] + 1e4
