@@ -6,7 +6,7 @@ from typing import NamedTuple
 from ptbatch.core.history import History, HistoryRef
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
-from ptbatch.core.reference import reference
+from ptbatch.core.reference import lent, reference
 from ptbatch.core.work import Work, WorkRef
 
 
@@ -39,9 +39,15 @@ CaseRef = reference(Case, "CaseRef")
 
 @kernel
 def open_case(model, state, ends, work, history, tolerance):
-    """The case as the functions of the kernels take it; it shares the arrays that it was given."""
+    """The case as the functions of the kernels take it; it shares the arrays that it was given, and does not keep
+    them alive."""
     return CaseRef(
-        ModelRef(*model), StateRef(*state), EndsRef(*ends), WorkRef(*work), HistoryRef(*history), tolerance
+        ModelRef(*lent(model)),
+        StateRef(*lent(state)),
+        EndsRef(*lent(ends)),
+        WorkRef(*lent(work)),
+        HistoryRef(*lent(history)),
+        tolerance,
     )
 
 

@@ -1,7 +1,7 @@
-"""Tangent of one contact element: complex steps in what its force depends on, and kinematics.
+"""Tangent of one contact element: complex steps in the law of friction, and kinematics.
 
 The force on the duct depends on seven quantities: the tendon's two chords (x, y each), the gap, the direction
-of the duct and the slip. A complex step in each of them gives its derivatives by these. How gap, direction
+of the duct and the slip. How it follows the turns and lengths of the chords is geometry. How gap, direction
 and slip follow the twelve degrees of freedom is kinematics, eqs (4) and (5), carried to the curved duct: with
 e the movement of the slave against the duct point under it, p' and p'' the derivatives of the duct by xi and
 r the gap as a vector,
@@ -11,41 +11,68 @@ r the gap as a vector,
 
 import numpy as np
 
-from ptbatch.core.contact import chords, dot4, masters, node_force, shape
+from ptbatch.core.contact import chords, dot4, friction, masters, shape
 from ptbatch.core.jit import STEP, kernel
 
 
 @kernel
-def step_in(x, here):
-    """x with a complex step if this is the quantity to differentiate by."""
-    return complex(x, STEP if here else 0.0)
+def friction_derivatives(slip, rub, press, T, rough, was, c):
+    """(T_t, motion), and the derivatives of T_t by slip, press and T; arguments as of `friction`."""
+    by_slip, motion = friction(complex(slip, STEP), rub, complex(press, 0.0), complex(T, 0.0), rough, was, c)
+    by_press, _ = friction(complex(slip, 0.0), rub, complex(press, STEP), complex(T, 0.0), rough, was, c)
+    by_T, _ = friction(complex(slip, 0.0), rub, complex(press, 0.0), complex(T, STEP), rough, was, c)
+    return by_slip.real, motion, by_slip.imag / STEP, by_press.imag / STEP, by_T.imag / STEP
 
 
 @kernel
 def force_derivatives(a, b, gap, t, slip, T, slope, rub, rough, was, c, d):
     """(fx, fy, N, T_t, motion), and in d (7, 2) the derivatives of (fx, fy) by a, b, gap, direction, slip.
 
-    T, slope: tensions left and right and their slopes by length.
+    T, slope: tensions left and right and their slopes by length. The force is T_t along u and N across it;
+    u turns by the mean of the two chords' turns, or with the duct where it is not corrected.
     """
-    at_rest = complex(gap, 0.0), (complex(t[0], 0.0), complex(t[1], 0.0)), complex(slip, 0.0)
-    for i in range(4):
-        za = step_in(a[0], i == 0), step_in(a[1], i == 1)
-        zb = step_in(b[0], i == 2), step_in(b[1], i == 3)
-        e3, e4, u = chords(za, zb)
-        # a chord grows by its unit vector times the step of its end
-        T3 = complex(T[0], slope[0] * e3[i].real * STEP if i < 2 else 0.0)
-        T4 = complex(T[1], slope[1] * e4[i - 2].real * STEP if i > 1 else 0.0)
-        fx, fy, _, _, _ = node_force(e3, e4, u, *at_rest, T3, T4, rub, rough, was, c)
-        d[i, 0] = fx.imag / STEP
-        d[i, 1] = fy.imag / STEP
     e3, e4, u = chords(a, b)
-    for i in range(4, 7):
-        turned = complex(t[0], -t[1] * STEP if i == 5 else 0.0), complex(t[1], t[0] * STEP if i == 5 else 0.0)
-        moved = step_in(gap, i == 4), turned, step_in(slip, i == 6)
-        fx, fy, _, _, _ = node_force(e3, e4, u, *moved, T[0], T[1], rub, rough, was, c)
-        d[i, 0] = fx.imag / STEP
-        d[i, 1] = fy.imag / STEP
-    return node_force(e3, e4, u, gap, t, slip, T[0], T[1], rub, rough, was, c)
+    half = 0.5 if c.corrected else 0.0
+    P = c.normal * gap
+    ux, uy = (u[0], u[1]) if c.corrected else (t[0], t[1])
+    level = 1.0 / (ux * t[0] + uy * t[1])
+    N = P * level
+    into3, with3 = e3[0] * uy - e3[1] * ux, e3[0] * ux + e3[1] * uy
+    into4, with4 = e4[1] * ux - e4[0] * uy, e4[0] * ux + e4[1] * uy
+    sign = 1.0 if into3 + into4 >= 0.0 else -1.0
+    press = sign * (T[0] * into3 + T[1] * into4)
+    mean = 0.5 * (T[0] + T[1])
+    Tt, motion, by_slip, by_press, by_T = friction_derivatives(slip, rub, press, mean, rough, was, c)
+    N_turn = N * level * (t[0] * uy - t[1] * ux)  # by u's turn, and less that by the duct's
+    press3, press4 = -sign * T[0] * with3, sign * T[1] * with4  # by the chords' turns
+    press_turn = -press3 - press4  # by u's turn
+    turn3 = by_press * (press3 + half * press_turn) - half * N, half * (N_turn + Tt)
+    turn4 = by_press * (press4 + half * press_turn) - half * N, half * (N_turn + Tt)
+    grow3 = slope[0] * (by_press * sign * into3 + 0.5 * by_T)
+    grow4 = slope[1] * (by_press * sign * into4 + 0.5 * by_T)
+    duct = 1.0 - 2.0 * half
+    write(0, e3, u_xy(turn3, ux, uy), (grow3 * ux, grow3 * uy), a, d)
+    write(2, e4, u_xy(turn4, ux, uy), (grow4 * ux, grow4 * uy), b, d)
+    d[4, 0], d[4, 1] = u_xy((0.0, c.normal * level), ux, uy)
+    d[5, 0], d[5, 1] = u_xy((duct * (by_press * press_turn - N), duct * (N_turn + Tt) - N_turn), ux, uy)
+    d[6, 0], d[6, 1] = u_xy((by_slip, 0.0), ux, uy)
+    return Tt * ux - N * uy, Tt * uy + N * ux, N, Tt, motion
+
+
+@kernel
+def u_xy(f, ux, uy):
+    """x and y of a vector that is given along u and across it."""
+    return f[0] * ux - f[1] * uy, f[0] * uy + f[1] * ux
+
+
+@kernel
+def write(row, e, turn, grow, chord, d):
+    """Rows of d by the x and y of a chord with the direction e: how the force changes as it turns and as it
+    grows."""
+    across = 1.0 / (e[0] * chord[0] + e[1] * chord[1])
+    d[row, 0], d[row, 1] = grow[0] * e[0] - turn[0] * e[1] * across, grow[1] * e[0] - turn[1] * e[1] * across
+    d[row + 1, 0] = grow[0] * e[1] + turn[0] * e[0] * across
+    d[row + 1, 1] = grow[1] * e[1] + turn[1] * e[0] * across
 
 
 @kernel
