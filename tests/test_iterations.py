@@ -19,7 +19,7 @@ from ptbatch.member import Member
 from ptbatch.response import Response
 
 EXACT = False  # whether a count must be met exactly, or may be exceeded by SLACK
-SLACK = 1.2
+SLACK = 1.4  # round-off differs between kinds of processors, and with it a count by up to 21 %
 NUDGES = (0.0, 1e-13, -1e-13, 3e-13, -3e-13, 1e-12, -1e-12)
 CHANGED = "frozen is {}: if that is meant, run `python -m tests.test_iterations` and tell in the changelog"
 
@@ -35,13 +35,13 @@ class Frozen(NamedTuple):
 
 
 FROZEN = {
-    "15 m beam": Frozen(2119, 1267.678, 403.53454, 6e-03),
-    "60 elements": Frozen(7749, 1267.6875, 400.49769, 2e-03),
-    "bonded": Frozen(1385, 1267.678, 446.20128, 5e-04),
-    "two jacks": Frozen(1547, 1218.5507, 397.17824, 3e-10),
-    "two spans": Frozen(1774, 1252.0509, 1176.2958, 3e-11),
-    "four spans, no bars": Frozen(6874, 1178.7197, 2733.2845, 2e-09),
-    "slab strip": Frozen(2255, 1229.1867, 73.764234, 2e-03),
+    "15 m beam": Frozen(2225, 1267.678, 403.46003, 1e-04),
+    "60 elements": Frozen(8466, 1267.6875, 400.4867, 5e-05),
+    "bonded": Frozen(1385, 1267.678, 446.20128, 2e-12),
+    "two jacks": Frozen(1504, 1218.5507, 397.17824, 2e-10),
+    "two spans": Frozen(1763, 1252.0509, 1176.2958, 3e-11),
+    "four spans, no bars": Frozen(7533, 1178.7197, 2733.2845, 6e-09),
+    "slab strip": Frozen(2328, 1229.1867, 73.764234, 2e-03),
 }
 
 

@@ -56,9 +56,7 @@ def section_tangent(eps0, kappa, model, past, plastic, bar_area, damping, fibre)
     for i in range(model.bar_y.size):
         if bar_area[i] > 0.0 and not np.isnan(plastic[i]):
             height = model.bar_y[i]
-            bar = steel_stress(
-                complex(eps0 - height * kappa, STEP), plastic[i], model.bar_fy[i], model.steel
-            )
+            bar = steel_stress(complex(eps0 - height * kappa, STEP), plastic[i], model.bar_fy[i], model.steel)
             force = bar_area[i] * bar.real
             stiffness = bar_area[i] * (bar.imag / STEP)
             N += force
@@ -146,7 +144,7 @@ def beam_tangent(e, model, state, d, damping, fibre, f, k):
     f[3] = -f[0]
     f[4] = -f[1]
     f[5] = M2
-    # By the far end along the chord (a) and across it (b), and by the two rotations; the chord turns by b / now
+    # By the far end along the chord (a) and across it (b: the chord turns by b / now), and the rotations
     ab = (shear - k01 - k02) / now
     bb = (k11 + 2.0 * k12 + k22) / (now * now) + N / now
     b1, b2 = -(k11 + k12) / now, -(k12 + k22) / now

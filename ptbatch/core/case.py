@@ -39,8 +39,8 @@ CaseRef = reference(Case, "CaseRef")
 
 @kernel
 def open_case(model, state, ends, work, history, tolerance):
-    """The case as the functions of the kernels take it; it shares the arrays that it was given, and does not keep
-    them alive."""
+    """The case as the functions of the kernels take it; it shares the arrays that it was given, and does not
+    keep them alive."""
     return CaseRef(
         ModelRef(*lent(model)),
         StateRef(*lent(state)),

@@ -20,8 +20,8 @@ def friction_derivatives(slip, rub, press, T, rough, was, c):
     """(T_t, motion), and the derivatives of T_t by slip, press and T; arguments as of `friction`."""
     by_slip, motion = friction(complex(slip, STEP), rub, complex(press, 0.0), complex(T, 0.0), rough, was, c)
     by_press, _ = friction(complex(slip, 0.0), rub, complex(press, STEP), complex(T, 0.0), rough, was, c)
-    by_T, _ = friction(complex(slip, 0.0), rub, complex(press, 0.0), complex(T, STEP), rough, was, c)
-    return by_slip.real, motion, by_slip.imag / STEP, by_press.imag / STEP, by_T.imag / STEP
+    by_mean, _ = friction(complex(slip, 0.0), rub, complex(press, 0.0), complex(T, STEP), rough, was, c)
+    return by_slip.real, motion, by_slip.imag / STEP, by_press.imag / STEP, by_mean.imag / STEP
 
 
 @kernel
@@ -42,14 +42,14 @@ def force_derivatives(a, b, gap, t, slip, T, slope, rub, rough, was, c, d):
     sign = 1.0 if into3 + into4 >= 0.0 else -1.0
     press = sign * (T[0] * into3 + T[1] * into4)
     mean = 0.5 * (T[0] + T[1])
-    Tt, motion, by_slip, by_press, by_T = friction_derivatives(slip, rub, press, mean, rough, was, c)
+    Tt, motion, by_slip, by_press, by_mean = friction_derivatives(slip, rub, press, mean, rough, was, c)
     N_turn = N * level * (t[0] * uy - t[1] * ux)  # by u's turn, and less that by the duct's
     press3, press4 = -sign * T[0] * with3, sign * T[1] * with4  # by the chords' turns
     press_turn = -press3 - press4  # by u's turn
     turn3 = by_press * (press3 + half * press_turn) - half * N, half * (N_turn + Tt)
     turn4 = by_press * (press4 + half * press_turn) - half * N, half * (N_turn + Tt)
-    grow3 = slope[0] * (by_press * sign * into3 + 0.5 * by_T)
-    grow4 = slope[1] * (by_press * sign * into4 + 0.5 * by_T)
+    grow3 = slope[0] * (by_press * sign * into3 + 0.5 * by_mean)
+    grow4 = slope[1] * (by_press * sign * into4 + 0.5 * by_mean)
     duct = 1.0 - 2.0 * half
     write(0, e3, u_xy(turn3, ux, uy), (grow3 * ux, grow3 * uy), a, d)
     write(2, e4, u_xy(turn4, ux, uy), (grow4 * ux, grow4 * uy), b, d)

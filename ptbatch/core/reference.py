@@ -32,8 +32,7 @@ def reference(fields: type, name: str) -> Any:
     return proxy
 
 
-@intrinsic  # type: ignore[untyped-decorator]
-def lent(context: Any, values: Any) -> Any:
+def _lent(context: Any, values: Any) -> Any:
     """The same tuple, whose arrays belong to nobody."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -47,3 +46,6 @@ def lent(context: Any, values: Any) -> Any:
         return fields
 
     return values(values), build
+
+
+lent: Any = intrinsic(_lent)
