@@ -127,8 +127,7 @@ def test_interrupted_twice(source, slow):
     run, log = slow("--jobs", "2")
     wait_for(log, 30)
     run.send_signal(signal.SIGINT)
-    while "again stops" not in run.stderr.readline():
-        pass
+    assert any("again stops" in line for line in iter(run.stderr.readline, ""))
     run.send_signal(signal.SIGINT)
     assert run.wait(5) == 130
     left = sorted(path.name for path in source.parent.iterdir())
