@@ -21,6 +21,7 @@ from ptbatch.runner import Outcomes, on_threads
 from ptbatch.spool import Lines
 from ptbatch.workbook import columnar, delimited
 from ptbatch.workbook.arrow import has_arrow, load_arrow
+from ptbatch.workbook.column import System
 from ptbatch.workbook.filed import LONG_TABLES, place_of
 from ptbatch.workbook.inputs import Inputs, read_inputs
 from ptbatch.workbook.output import Output
@@ -76,12 +77,14 @@ def run_workbook(
     resume: bool = False,
     parquet: Path | None = None,
     stop: Event | None = None,
+    units: System | None = None,
 ) -> Batch:
     """Analyse the members of a workbook, a CSV or a Parquet file and write the results workbook.
 
     only: names of members, all if empty. outcomes: who analyses them, `jobs` threads if None. resume: take
     what an unfinished run of the same output left in its journal. parquet: folder for the long tables; one
-    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed.
+    is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed. units:
+    of the results, those of the input if None.
 
     Raises ReadError, UnknownMemberError, WriteError, MissingArrowError; KeyboardInterrupt if `stop` is set
     before the first row.
@@ -94,14 +97,15 @@ def run_workbook(
     check_target(path, source)
     if stop.is_set():
         raise KeyboardInterrupt  # there is nothing yet to be written
-    folder = tables_folder(path, len(inputs.rows), parquet)
-    with Journal(journal_path(path), resume) as journal, _output(path, inputs, folder) as results:
+    folder, system = tables_folder(path, len(inputs.rows), parquet), units or inputs.system
+    with Journal(journal_path(path), resume) as journal, _output(path, inputs, folder, system) as results:
         pairs = Pairing(inputs.rows, outcomes or on_threads(jobs, stop), journal, stop)
-        lines = _run(pairs, results, len(inputs.rows), progress)
+        lines = _run(pairs, results, len(inputs.rows), progress, system)
         counts = _counts(lines)
         run = {
             **_identity(started, inputs),
             **{"jobs": "on other machines" if outcomes else jobs, "only": "; ".join(only) or "all rows"},
+            "units of the results": system,
             **{f"setting {name}": setting.raw for name, setting in inputs.settings.defaults.items()},
             **{"rows": len(lines), **{f"rows {status}": count for status, count in counts.items()}},
             **{"rows from the journal": journal.used, LONG_TABLES: place_of(folder, path)},
@@ -110,14 +114,17 @@ def run_workbook(
         written = results.finish(run)
         if not counts[NOT_ANALYSED]:
             journal.remove()
-    return Batch(inputs, summary_headers(inputs), lines, counts, path, written, journal.used, folder)
+    return Batch(inputs, summary_headers(inputs, system), lines, counts, path, written, journal.used, folder)
 
 
-def _run(pairs: Iterable[Pair], results: Output, total: int, progress: Progress | None) -> Lines:
+def _run(
+    pairs: Iterable[Pair], results: Output, total: int, progress: Progress | None, system: System
+) -> Lines:
     """Put every row with its outcome into the results as it comes; the lines of the summary."""
     lines = Lines()
-    for row, outcome in pairs:
-        line = summary_line(row, outcome)
+    for row, found in pairs:
+        outcome = found and found.in_system(system)
+        line = summary_line(row, outcome, system)
         lines.add(line)
         results.add(row, line, outcome)
         if progress:
@@ -141,9 +148,9 @@ def tables_folder(path: Path, rows: int, wanted: Path | None) -> Path | None:
 
 
 @contextmanager
-def _output(path: Path, inputs: Inputs, folder: Path | None) -> Iterator[Output]:
+def _output(path: Path, inputs: Inputs, folder: Path | None, system: System) -> Iterator[Output]:
     """Results whose temporary files are gone at the end, whatever happens."""
-    output = Output(path, inputs, folder)
+    output = Output(path, inputs, folder, system)
     try:
         yield output
     finally:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from ptbatch.batch import Progress
     from ptbatch.runner import Outcomes
+    from ptbatch.workbook.column import System
 
 OK, FAILED, INVALID_ROWS, UNUSABLE, INTERNAL, INTERRUPTED = 0, 1, 3, 4, 70, 130
 FIGURES = ("stress", "redistribution", "load-deflection", "cracks", "profile", "all")
@@ -58,6 +59,7 @@ def cli() -> None:
     metavar="FOLDER",
     help="Write summary and long tables there as Parquet [beside the results if there are over 2,000 rows].",
 )
+@click.option("--units", type=click.Choice(["SI", "US"]), help="Of the results [those of the input].")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary rows to stdout as JSON.")
 @click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors; the exit code tells the rest.")
 @click.option("-v", "--verbose", is_flag=True, help="Say of each row how it ended, as it is done.")
@@ -69,6 +71,7 @@ def run(
     scheduler: str | None,
     resume: bool,
     parquet: Path | None,
+    units: "System | None",
     as_json: bool,
     quiet: bool,
     verbose: bool,
@@ -95,7 +98,7 @@ def run(
         with interruptible() as stop:
             outcomes = _outcomes_of(scheduler, stop) if scheduler else None
             settings = (workbook, output, jobs, only, progress, outcomes)
-            batch = run_workbook(*settings, resume=resume, parquet=parquet, stop=stop)
+            batch = run_workbook(*settings, resume=resume, parquet=parquet, stop=stop, units=units)
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
     if as_json:

@@ -1,21 +1,26 @@
 """What is said at the end of a run: its rows, those that did not pass first, and what came of them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
+
+from ptbatch.workbook.units import parse_header
 
 if TYPE_CHECKING:
     from ptbatch.batch import Batch
 
 PASSED = ("ok", "warning")
 SHOWN_ROWS = 40
-SHOWN = ("member", "status", "load_peak [kN]", "failure", "message")
+SHOWN = ("member", "status", "load_peak", "failure", "message")
 
 
 def closing_table(batch: "Batch") -> list[str]:
     """Member, status, peak load and how it ended; then where the results are."""
-    rows = [_row(*line) for line in islice(_by_concern(batch), SHOWN_ROWS)]
-    table = [("member", "status", "peak [kN]", "end"), *rows]
+    names = [parse_header(header).name for header in batch.headers]
+    columns = [names.index(name) for name in SHOWN]
+    unit = parse_header(batch.headers[columns[2]]).unit
+    rows = [_row(*line) for line in islice(_by_concern(batch, columns), SHOWN_ROWS)]
+    table = [("member", "status", f"peak [{unit}]", "end"), *rows]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
     lines = ["  ".join(text.ljust(w) for text, w in zip(row, widths, strict=True)).rstrip() for row in table]
     if len(batch.lines) > SHOWN_ROWS:
@@ -36,9 +41,8 @@ def _results(batch: "Batch") -> Iterator[str]:
         yield "interrupted: the same command with --resume analyses the rows that are missing"
 
 
-def _by_concern(batch: "Batch") -> Iterator[list[Any]]:
+def _by_concern(batch: "Batch", columns: Sequence[int]) -> Iterator[list[Any]]:
     """What is shown of the rows, those first that did not pass."""
-    columns = [batch.headers.index(name) for name in SHOWN]
     failed = (line for line in batch.lines if line[1] not in PASSED)
     first = list(islice(failed, SHOWN_ROWS))
     passed = (line for line in batch.lines if line[1] in PASSED)

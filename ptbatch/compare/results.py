@@ -13,6 +13,7 @@ from ptbatch.compare.entry import Query, Value
 from ptbatch.errors import ReadError
 from ptbatch.validation import likely
 from ptbatch.workbook.read import LAST_ROW, RawSheet, read_sheets
+from ptbatch.workbook.systems import times, written
 from ptbatch.workbook.table import find_header
 from ptbatch.workbook.units import Header, parse_header
 
@@ -39,8 +40,8 @@ class Reading(NamedTuple):
 
 @dataclass(frozen=True)
 class ResultSheet:
-    """A sheet of results: headers, and rows by member and then by header, under their folded names (as typed
-    where a name stands there twice)."""
+    """A sheet of results in SI units: headers, and rows by member and then by header, under their folded
+    names (as typed where a name stands there twice)."""
 
     headers: dict[str, Header]
     rows: dict[str, list[Row]]
@@ -97,15 +98,16 @@ def _sheet(raw: RawSheet) -> ResultSheet:
     if top is None:
         return ResultSheet({}, {})
     headers: dict[str, Header] = {}
-    columns: dict[int, str] = {}
+    columns: dict[int, tuple[str, float]] = {}
     for i, text in raw.rows[top].items():
-        header = parse_header(str(text))
-        columns[i] = str(text) if header.name.casefold() in headers else header.name.casefold()
-        headers[columns[i]] = header
+        in_si, factor = written(str(text), "SI")
+        header = parse_header(in_si)
+        name = str(text) if header.name.casefold() in headers else header.name.casefold()
+        columns[i], headers[name] = (name, factor), header
     rows: dict[str, list[Row]] = {}
     for number, cells in raw.rows.items():
         if number > top:
-            row = {name: cells.get(i) for i, name in columns.items()}
+            row = {name: times(cells.get(i), factor) for i, (name, factor) in columns.items()}
             rows.setdefault(str(row["member"]).strip(), []).append(row)
     return ResultSheet(headers, rows)
 

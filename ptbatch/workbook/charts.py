@@ -8,11 +8,14 @@ from openpyxl.chart.shapes import GraphicalProperties
 from openpyxl.drawing.line import LineProperties
 from openpyxl.utils import get_column_letter
 
+from ptbatch.workbook.column import System
+from ptbatch.workbook.systems import headers_in
+
 COLOURS = {"jacked": "1F4E79", "set": "7F7F7F", "anchored": "2E8B57", "peak": "C00000"}
 MARKERS = {"cracking": ("triangle", "E69F00"), "yield": ("square", "7030A0"), "peak": ("circle", "C00000")}
 WIDTH, HEIGHT = 26.0, 11.0  # cm
 THIN, THICK = 12_700, 22_225  # EMU
-ROUND = 100.0  # MPa
+ROUND = {"SI": 100.0, "US": 10.0}  # MPa, ksi
 PLACES = ("D3", "D26")
 
 
@@ -49,17 +52,17 @@ class Block(NamedTuple):
         return Reference(sheet, place, self.row, place, self.row + self.rows - 1)
 
 
-def add_charts(sheet: Any, points: Block, steps: Block, least_stress: float) -> None:
+def add_charts(sheet: Any, points: Block, steps: Block, least_stress: float, system: System) -> None:
     """Tendon stress along the member, from a round number below the least of all; load over deflection
-    with what happened."""
-    stress = _chart("Tendon stress along the member", "x [mm]", "stress [MPa]")
-    stress.y_axis.scaling.min = (
-        max(0.0, floor(least_stress / ROUND) * ROUND) if isfinite(least_stress) else 0.0
-    )
+    with what happened; in the units of that system."""
+    heads = headers_in(("x [mm]", "stress [MPa]", "deflection [mm]", "load [kN]"), system)
+    stress = _chart("Tendon stress along the member", *heads[:2])
+    least = floor(least_stress / ROUND[system]) * ROUND[system] if isfinite(least_stress) else 0.0
+    stress.y_axis.scaling.min = max(0.0, least)
     for i, (name, stage) in enumerate(points.columns[2:], 2):
         analytic = name == "stress_analytic"
         _line(stress, sheet, points, i, f"{stage}, analytic" if analytic else stage, COLOURS[stage], analytic)
-    curve = _chart("Live load over deflection", "deflection [mm]", "load [kN]")
+    curve = _chart("Live load over deflection", *heads[2:])
     _line(curve, sheet, steps, 2, "load", "1F4E79")
     for i, (_, event) in enumerate(steps.columns[3:], 3):
         _marks(curve, sheet, steps, i, event)

@@ -17,7 +17,8 @@ def fields(table: str, headers: Sequence[str]) -> Fields:
         kinds = [_OF_KIND.get(column.kind, str) for column in ECHO[table]]
         return dict(zip(headers, kinds, strict=True))
     own = DETAILS.get(table, (*HEAD, *SUMMARY))
-    return {header: _type(header) if header in own else str for header in headers}
+    kinds = [*map(_type, own), *[str] * (len(headers) - len(own))]
+    return dict(zip(headers, kinds, strict=True))
 
 
 def _type(header: str) -> type[str] | type[int] | type[float]:

@@ -2,7 +2,10 @@
 
 from ptbatch.workbook.units import parse_header
 
-_BY_UNIT = {"MPa": "0.0", "mm": "0.00", "%": "0.00", "kN": "0.0", "kN m": "0.0", "ms": "0"}
+_BY_UNIT = {
+    **{"MPa": "0.0", "mm": "0.00", "%": "0.00", "kN": "0.0", "kN m": "0.0", "ms": "0"},
+    **{"ksi": "0.00", "in": "0.000", "ft": "0.00", "kip": "0.00", "kip ft": "0.0"},
+}
 _BY_NAME = {
     "ratio": "0.0000",
     "x": "0",
@@ -24,6 +27,8 @@ _WIDTHS = {
 def number_format(header: str) -> str:
     """Excel format of the numbers under a header."""
     name, unit = parse_header(header)
+    if unit == "in" and _BY_NAME.get(name) == "0":  # a place: to a tenth
+        return "0.0"
     return _BY_NAME.get(name) or _BY_UNIT.get(unit, "General")
 
 

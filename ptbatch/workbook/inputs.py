@@ -11,6 +11,7 @@ from ptbatch.errors import PtbatchError, ReadError, UnknownMemberError
 from ptbatch.validation import likely
 from ptbatch.workbook import columnar, delimited
 from ptbatch.workbook.cells import CellError, parse_text
+from ptbatch.workbook.column import System
 from ptbatch.workbook.columns import BY_NAME, MEMBERS
 from ptbatch.workbook.joined import join
 from ptbatch.workbook.lazy import Rows
@@ -20,6 +21,7 @@ from ptbatch.workbook.read import RawSheet, read_sheets
 from ptbatch.workbook.rows import Row, RowReader
 from ptbatch.workbook.settings import Settings, read_settings
 from ptbatch.workbook.source import MOST_MEMBERS, Source, sheet_source
+from ptbatch.workbook.systems import typical
 from ptbatch.workbook.table import Table, make_table
 
 MAIN = "members"
@@ -28,7 +30,7 @@ MAIN = "members"
 @dataclass(frozen=True)
 class Inputs:
     """Rows of a table in their order, read anew whenever they are walked through; problems that concern no
-    single row; what `run` records."""
+    single row; what `run` records; the unit system that results are expected in."""
 
     path: Path
     sha256: str
@@ -36,6 +38,7 @@ class Inputs:
     problems: list[Problem]
     settings: Settings
     extra_headers: list[str]
+    system: System
 
     def walk_problems(self) -> Iterator[Problem]:
         """Every problem once, those of the workbook first."""
@@ -110,7 +113,9 @@ def _inputs(path: Path, source: Source, optional: Mapping[str, RawSheet], settin
     with path.open("rb") as file:
         digest = file_digest(file, "sha256").hexdigest()
     rows = Rows(reader, source.blocks, names.rows)
-    return Inputs(path, digest, rows, problems, settings, list(table.others.values()))
+    typed = [found.typed for columns in table.found.values() for found in columns]
+    system = settings.units or typical(typed)
+    return Inputs(path, digest, rows, problems, settings, list(table.others.values()), system)
 
 
 class _Names(NamedTuple):

@@ -6,6 +6,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, Protocol
 
+from ptbatch.workbook.column import System
 from ptbatch.workbook.echo import TABLES as ECHO
 from ptbatch.workbook.echo import echo_headers, echo_lines
 from ptbatch.workbook.fields import fields
@@ -18,10 +19,11 @@ from ptbatch.workbook.problems import Listed, Problem
 from ptbatch.workbook.results import DETAILS, PROBLEMS, Outcome, detail_lines, summary_headers
 from ptbatch.workbook.rows import Row
 from ptbatch.workbook.status import coloured
+from ptbatch.workbook.systems import headers_in
 from ptbatch.workbook.viewer import write_viewer
 from ptbatch.workbook.write import Book, unwritable
 
-ORDER = ("summary", "viewer", *DETAILS, "problems", *ECHO, "run", "legend", "places")
+ORDER = ("summary", "viewer", *DETAILS, "problems", *ECHO, "settings", "run", "legend", "places")
 ALWAYS = ("summary", *DETAILS, "problems", "members")
 FILES = ("summary", *DETAILS, *ECHO)  # that Parquet can take
 CURE = "let --parquet FOLDER take the long tables; with --resume nothing is analysed again"
@@ -41,16 +43,16 @@ class Output:
     rest and the summary as well. Raises WriteError.
     """
 
-    def __init__(self, path: Path, inputs: Inputs, folder: Path | None = None) -> None:
-        self._path, self._folder = path, folder
-        self._headers = {"summary": summary_headers(inputs), "problems": list(PROBLEMS)}
-        self._headers |= {name: list(headers) for name, headers in DETAILS.items()}
-        self._headers |= {name: echo_headers(name) for name in ECHO}
+    def __init__(self, path: Path, inputs: Inputs, folder: Path | None, system: System) -> None:
+        self._path, self._folder, self._system = path, folder, system
+        self._headers = {"summary": summary_headers(inputs, system), "problems": list(PROBLEMS)}
+        self._headers |= {name: headers_in(headers, system) for name, headers in DETAILS.items()}
+        self._headers |= {name: echo_headers(name, system) for name in ECHO}
         self._book = Book()
         self._tables: dict[str, list[Table]] = {}
         self._files: list[ParquetTable] = []
         self._listed, self._unlisted = Listed(), 0
-        self._places = Places()
+        self._places = Places(system)
         try:
             self._open(inputs.problems)
         except BaseException:
@@ -66,17 +68,18 @@ class Output:
             self._add_problems(problems)
 
     def add(self, row: Row, line: Sequence[Any], outcome: Outcome | None) -> None:
-        """Add a row of the input: its line of the summary, and its outcome (None where it is invalid)."""
+        """Add a row of the input: its line of the summary, and its outcome (None where it is invalid), both
+        in the unit system of this output."""
         with unwritable(self._folder or self._path):
             self._lines("summary", [line])
             if not self._folder:
                 self._places.add(dict(zip(self._headers["summary"], line, strict=True)), outcome)
             for name in DETAILS:
-                self._lines(name, detail_lines(row, outcome, name))
+                self._lines(name, detail_lines(row, outcome, name, self._headers[name]))
             self._add_problems(row.problems)
             if row.member:
                 for name in ECHO:
-                    self._lines(name, echo_lines(name, row.member))
+                    self._lines(name, echo_lines(name, row.member, self._system))
 
     def finish(self, run: Mapping[str, Any]) -> Path:
         """Write what is known of the run, and put everything in its place; the path of the workbook."""
@@ -85,6 +88,8 @@ class Output:
             unlisted = {"problems beyond the sheet": self._unlisted} if self._unlisted else {}
             for item in chain(run.items(), unlisted.items()):
                 page.add(item)
+            if self._system != "SI":
+                self._settings()
             self._explain()
             for file in self._files:
                 file.finish()
@@ -93,6 +98,11 @@ class Output:
                     if name not in self._tables:  # nobody uses it: one of an earlier run would mislead
                         (self._folder / f"{name}.parquet").unlink(missing_ok=True)
         return self._book.save(self._path)
+
+    def _settings(self) -> None:
+        """The unit system, for whoever runs the results again: loads name no unit."""
+        page = self._book.page("settings", ("name", "value"), self._place("settings"))
+        page.add(("units", self._system))
 
     def _explain(self) -> None:
         """Filters on the tables; legend and viewer, which come when all rows are known."""

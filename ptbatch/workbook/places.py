@@ -6,7 +6,9 @@ from math import inf, isfinite
 from operator import itemgetter
 from typing import Any, NamedTuple
 
+from ptbatch.workbook.column import System
 from ptbatch.workbook.results import Outcome
+from ptbatch.workbook.systems import written
 
 VIEWED = ("jacked", "set", "anchored", "peak")  # stages
 PLACES = ("member", "summary", *VIEWED, "points", "curves", "steps")
@@ -30,9 +32,14 @@ class Place(NamedTuple):
 
 
 class Places:
-    """Places of all members with results, in their order; the results of the first of them are kept."""
+    """Places of all members with results, in their order; the results of the first of them are kept.
 
-    def __init__(self) -> None:
+    system: of the results.
+    """
+
+    def __init__(self, system: System = "SI") -> None:
+        self.system = system
+        self._stress = written("stress_fe [MPa]", system)[0]
         self.places: list[Place] = []
         self.first: tuple[Mapping[str, Any], Outcome] | None = None
         self.least_stress = inf
@@ -45,7 +52,7 @@ class Places:
             return
         self.first = self.first or (line, outcome)
         self.places.append(self._place(line["member"], outcome))
-        stresses = filter(isfinite, map(itemgetter("stress_fe [MPa]"), outcome.tendon))
+        stresses = filter(isfinite, map(itemgetter(self._stress), outcome.tendon))
         self.least_stress = min(chain([self.least_stress], stresses))
         self.rows["tendon"] += len(outcome.tendon)
         self.rows["curves"] += len(outcome.curves)

@@ -4,9 +4,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ptbatch.workbook.column import System
 from ptbatch.workbook.inputs import Inputs
 from ptbatch.workbook.page import sayable
 from ptbatch.workbook.rows import Row
+from ptbatch.workbook.systems import headers_in, record_in
 
 HEAD = ("member", "status", "message")
 SUMMARY = (
@@ -62,7 +64,7 @@ NOT_ANALYSED = "not analysed"
 @dataclass(frozen=True)
 class Outcome:
     """Result of one member: a summary and rows of the sheets `tendon`, `curves` and `cracks`, by the headers
-    above."""
+    above, or by those of another unit system."""
 
     status: str
     message: str
@@ -76,20 +78,33 @@ class Outcome:
         """Whether these are results: no interruption, no internal error."""
         return not any(str(value).startswith(NOT_ANALYSED) for value in self.summary.values())
 
+    def in_system(self, system: System) -> "Outcome":
+        """The same by the headers of a unit system."""
+        if system == "SI":
+            return self
+        tables = {name: [record_in(row, system) for row in getattr(self, name)] for name in DETAILS}
+        return Outcome(self.status, self.message, record_in(self.summary, system), **tables)
 
-def summary_headers(inputs: Inputs) -> list[str]:
+
+def summary_headers(inputs: Inputs, system: System) -> list[str]:
     """Headers of the summary, the unknown columns of the input last."""
-    own = [*HEAD, *SUMMARY]
+    own = [*HEAD, *headers_in(SUMMARY, system)]
     return own + [f"{header} (input)" if header in own else header for header in inputs.extra_headers]
 
 
-def summary_line(row: Row, outcome: Outcome | None) -> list[Any]:
-    """Line of a row; outcome is None where the row is invalid."""
+def summary_line(row: Row, outcome: Outcome | None, system: System) -> list[Any]:
+    """Line of a row; outcome, in that system, is None where the row is invalid."""
     if outcome is None:
         return [row.name, "invalid", row.message, *[INVALID] * len(SUMMARY), *row.extra]
     status = "warning" if outcome.status == "ok" and row.problems else outcome.status
     message = "; ".join(text for text in (outcome.message, row.message) if text)
-    return [row.name, status, message, *(outcome.summary[header] for header in SUMMARY), *row.extra]
+    return [
+        row.name,
+        status,
+        message,
+        *(outcome.summary[header] for header in headers_in(SUMMARY, system)),
+        *row.extra,
+    ]
 
 
 def summary_records(headers: Sequence[str], lines: Iterable[Sequence[Any]]) -> Iterator[dict[str, Any]]:
@@ -97,8 +112,9 @@ def summary_records(headers: Sequence[str], lines: Iterable[Sequence[Any]]) -> I
     return (dict(zip(headers, map(sayable, line), strict=True)) for line in lines)
 
 
-def detail_lines(row: Row, outcome: Outcome | None, table: str) -> Iterator[list[Any]]:
-    """Lines of one of the DETAILS."""
-    headers = DETAILS[table]
+def detail_lines(
+    row: Row, outcome: Outcome | None, table: str, headers: Sequence[str]
+) -> Iterator[list[Any]]:
+    """Lines of one of the DETAILS, under its headers in the system of the outcome."""
     for line in getattr(outcome, table, ()):
         yield [row.name, *(line[header] for header in headers[1:])]

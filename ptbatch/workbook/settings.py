@@ -28,11 +28,16 @@ class Setting:
 
 @dataclass(frozen=True)
 class Settings:
-    """Unit system of headers without units, defaults by column, problems that concern nobody's row."""
+    """Unit system as asked for, defaults by column, problems that concern nobody's row."""
 
-    system: System = "SI"
+    units: System | None = None
     defaults: dict[str, Setting] = field(default_factory=dict)
     problems: list[Problem] = field(default_factory=list)
+
+    @property
+    def system(self) -> System:
+        """Unit system of headers without units."""
+        return self.units or "SI"
 
 
 def read_settings(raw: RawSheet | None) -> Settings:
@@ -49,7 +54,7 @@ def read_settings(raw: RawSheet | None) -> Settings:
     return settings
 
 
-def _system(table: Table) -> System:
+def _system(table: Table) -> System | None:
     for row in table.rows:
         if plain(str(table.raw(row, "name"))).casefold() in UNIT_SYSTEM:
             system = plain(str(table.raw(row, "value"))).upper()
@@ -58,7 +63,7 @@ def _system(table: Table) -> System:
                 wrong = "there is no such unit system"
                 table.problems.append(Problem(place, table.raw(row, "value"), wrong, "give SI or US"))
             return "US" if system == "US" else "SI"
-    return "SI"
+    return None
 
 
 def _add(settings: Settings, table: Table, row: int) -> None:

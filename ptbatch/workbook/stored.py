@@ -16,6 +16,7 @@ from ptbatch.workbook.filed import folder_in, rows_of, sheet_of
 from ptbatch.workbook.inputs import MAIN, make_inputs
 from ptbatch.workbook.optional import OPTIONAL_SHEETS
 from ptbatch.workbook.read import RawSheet, guarded, open_book
+from ptbatch.workbook.systems import record_in
 
 BOUNDS = 8  # results may be that many times larger than an input
 TABLES = ("tendon", "curves", "cracks")
@@ -25,7 +26,7 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of one sheet that belong to one member, by header."""
+    """Rows of one sheet that belong to one member, by header, in SI units."""
 
     rows: list[Row] = field(default_factory=list)
 
@@ -127,10 +128,20 @@ def _read(
             summary.append(row)
     wanted = set(every) if names is None else names
     if folder := folder_in(book, path):
-        tables = {name: rows_of(folder, name, wanted) for name in TABLES}
-        return every, summary, tables, {n: sheet_of(folder, n, wanted) for n in (MAIN, *OPTIONAL_SHEETS)}
+        tables = {name: _in_si(rows_of(folder, name, wanted)) for name in TABLES}
+        raw = {name: sheet_of(folder, name, wanted) for name in (MAIN, *OPTIONAL_SHEETS)}
+        return every, summary, tables, raw | _settings(book)
     tables = {name: [row for row in _rows(book, name) if row["member"] in wanted] for name in TABLES}
-    return every, summary, tables, {name: _raw(book[name], wanted) for name in _echoed(book)}
+    return every, summary, tables, {n: _raw(book[n], wanted) for n in _echoed(book)} | _settings(book)
+
+
+def _in_si(rows: Iterable[Row]) -> list[Row]:
+    return [record_in(row, "SI") for row in rows]
+
+
+def _settings(book: Any) -> dict[str, RawSheet]:
+    """The sheet that names the unit system of the members, if there is one."""
+    return {name: _raw(book[name], {"units"}) for name in ("settings",) if name in book.sheetnames}
 
 
 def _echoed(book: Any) -> Iterable[str]:
@@ -138,7 +149,7 @@ def _echoed(book: Any) -> Iterable[str]:
 
 
 def _rows(book: Any, name: str) -> Iterator[Row]:
-    """Rows of a sheet by header; none if there is no such sheet."""
+    """Rows of a sheet by header, in SI units; none if there is no such sheet."""
     if name not in book.sheetnames:
         return
     rows = book[name].iter_rows(values_only=True)
@@ -146,7 +157,8 @@ def _rows(book: Any, name: str) -> Iterator[Row]:
     if "member" not in headers:
         raise ReadError(f"sheet {name} has no column member; run the input again for whole results")
     for row in rows:
-        yield dict(zip(headers, row, strict=False))
+        named = {header: value for header, value in zip(headers, row, strict=False) if header is not None}
+        yield record_in(named, "SI")
 
 
 def _raw(sheet: Any, wanted: set[str]) -> RawSheet:

@@ -13,6 +13,7 @@ _FORCES = {"N": 1.0, "kN": 1e3, "MN": 1e6, "lbf": LBF, "kip": 1e3 * LBF}
 _LINE_LOADS = {
     **{"N/mm": 1.0, "kN/m": 1.0, "N/m": 1e-3},
     **{"plf": LBF / FT, "lbf/ft": LBF / FT, "klf": 1e3 * LBF / FT, "kip/ft": 1e3 * LBF / FT},
+    **{"lbf/in": LBF / IN, "kip/in": 1e3 * LBF / IN},
 }
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1e3, "in": IN, "ft": FT}
 
@@ -26,7 +27,7 @@ QUANTITIES: dict[str, dict[str, float]] = {
     "share": {"-": 1.0, "%": 0.01},
     "force or line load": _FORCES | _LINE_LOADS,
     "stress": {
-        **{"MPa": 1.0, "N/mm2": 1.0, "kPa": 1e-3, "GPa": 1e3},
+        **{"MPa": 1.0, "N/mm2": 1.0, "kPa": 1e-3, "GPa": 1e3, "kN/cm2": 10.0},
         **{"psi": LBF / IN**2, "ksi": 1e3 * LBF / IN**2},
     },
     "unit weight": {
@@ -90,12 +91,18 @@ def conversion(unit: str, to: str) -> float:
     raise UnitError(f"{unit} is not {to}", f"give it in {to}")
 
 
+def is_us(unit: str) -> bool:
+    """Whether this is a unit of the US, and not one of SI."""
+    return bool(re.search(r"\b(in|ft|lbf|kip|psi|ksi|pcf|plf|klf)", re.sub(r"[\d\s]", " ", _spelling(unit))))
+
+
 def _among(units: dict[str, float], unit: str) -> float | None:
     return {_spelling(name): value for name, value in units.items()}.get(_spelling(unit))
 
 
 def _spelling(unit: str) -> str:
-    """One spelling for kip and kips, lb and lbf, m^-1 and 1/m, with or without spaces."""
-    text = re.sub(r"[\s^]", "", plain(unit)).casefold()
+    """One spelling for kip and kips, lb and lbf, inches and in, m^-1 and 1/m, with or without spaces."""
+    text = re.sub(r"[\s^]", "", plain(unit)).casefold().rstrip(".")
+    text = re.sub(r"inch(es)?", "in", re.sub(r"feet|foot", "ft", text))
     text = re.sub(r"^(mm|m|ft)-1$", r"1/\1", text)
     return re.sub(r"^(lb|kip)s?(?=$|/)", lambda match: {"lb": "lbf", "kip": "kip"}[match[1]], text)

@@ -14,11 +14,13 @@ from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.datavalidation import DataValidation
 
 from ptbatch.workbook.charts import Block, add_charts
+from ptbatch.workbook.column import System
 from ptbatch.workbook.page import TEXT, on_one_page, sayable
 from ptbatch.workbook.places import PLACES, VIEWED, Places
 from ptbatch.workbook.results import CURVES, SUMMARY, TENDON
 from ptbatch.workbook.stored_values import Formula, store_values
-from ptbatch.workbook.viewed import CURVE_COLUMNS, POINT_COLUMNS, curve_values, point_values
+from ptbatch.workbook.systems import headers_in, written
+from ptbatch.workbook.viewed import CURVE_COLUMNS, POINT_COLUMNS, Names, curve_values, point_values
 from ptbatch.workbook.write import Book
 
 HINT = (
@@ -54,10 +56,10 @@ def write_viewer(book: Book, places: Places, place: int) -> None:
     for column, width in (("A", 22), ("B", 30), ("C", 12)):
         sheet.column_dimensions[column].width = width
     on_one_page(sheet, PRINTED)
-    points = Block(DATA, FIRST, places.most_points, POINT_COLUMNS)
-    steps = Block(points.after, FIRST, places.most_steps, CURVE_COLUMNS)
+    points = Block(DATA, FIRST, places.most_points, _columns(POINT_COLUMNS, places.system))
+    steps = Block(points.after, FIRST, places.most_steps, _columns(CURVE_COLUMNS, places.system))
     _choice(sheet, len(places.places))
-    add_charts(sheet, points, steps, places.least_stress)
+    add_charts(sheet, points, steps, places.least_stress, places.system)
     stored: dict[str, float | str] = {}
     for number, row in enumerate(_rows(places, points, steps), 1):
         sheet.append([_cell(sheet, value) for value in row])
@@ -65,6 +67,11 @@ def write_viewer(book: Book, places: Places, place: int) -> None:
             if isinstance(value, Formula):
                 stored[f"{get_column_letter(i)}{number}"] = value.value
     store_values(sheet, stored)
+
+
+def _columns(columns: Names, system: System) -> Names:
+    """Columns of the points with their units."""
+    return tuple((written(name, system)[0], key) for name, key in columns)
 
 
 def _choice(sheet: Any, members: int) -> None:
@@ -90,8 +97,8 @@ def _left(places: Places) -> list[list[Any]]:
     line, first = places.first[0], places.places[0]
     names = _range("places", 1, len(places.places))
     rows: list[list[Any]] = [["member", _Text(first.member), HINT]]
-    headers = ("member", "status", "message", *SUMMARY)
-    for header in SHOWN:
+    headers = headers_in(("member", "status", "message", *SUMMARY), places.system)
+    for header in headers_in(SHOWN, places.system):
         cells = _range("summary", headers.index(header) + 1, places.rows["summary"])
         rows.append([header, Formula(f"=INDEX({cells},{_key('summary')})", sayable(line[header]))])
     place = f"=SUMPRODUCT(EXACT({names},{CHOSEN})*(ROW({names})-1))"
@@ -105,7 +112,8 @@ def _left(places: Places) -> list[list[Any]]:
 def _points(places: Places, block: Block) -> Iterator[list[Any]]:
     """Number of the point, x, stress at each stage, analytic stress where there is one."""
     assert places.first
-    values, total = point_values(places.first[1], block.rows), places.rows["tendon"]
+    values = point_values(places.first[1], block.rows, places.system)
+    total = places.rows["tendon"]
     x = _range("tendon", TENDON.index("x [mm]") + 1, total)
     stress = {
         name: _range("tendon", TENDON.index(f"{name} [MPa]") + 1, total)
@@ -124,7 +132,8 @@ def _points(places: Places, block: Block) -> Iterator[list[Any]]:
 def _steps(places: Places, block: Block) -> Iterator[list[Any]]:
     """Number of the step, deflection, load, and the load again where something happened."""
     assert places.first
-    values, total = curve_values(places.first[1], block.rows), max(1, places.rows["curves"])
+    values = curve_values(places.first[1], block.rows, places.system)
+    total = max(1, places.rows["curves"])
     columns = [
         _range("curves", CURVES.index(h) + 1, total) for h in ("deflection [mm]", "load [kN]", "event")
     ]
