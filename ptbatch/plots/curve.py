@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ptbatch.plots import style
+from ptbatch.workbook.column import System
 from ptbatch.workbook.stored import Stored
 
 LOAD, DEFLECTION = "load [kN]", "deflection [mm]"
@@ -95,13 +96,16 @@ def _look(marker: str, ink: str) -> dict[str, Any]:
     return {"marker": marker, "color": ink, "markerfacecolor": "white", "linestyle": "none", "zorder": 3}
 
 
+def _told(mark: Mark, system: System) -> str:
+    """Load and deflection."""
+    load = style.amount(mark.load, "kN", system)
+    return f"{load}, {style.amount(mark.deflection, 'mm', system, 3)}"
+
+
 def _key(several: Sequence[Stored]) -> list[Line2D]:
     """What the markers mean: of one member with its loads, else by name alone."""
     if len(several) == 1:
-        texts = [
-            (f"{mark.name} {style.small(mark.load)} kN, {mark.deflection:.3g} mm", mark.marker)
-            for mark in marks(several[0])
-        ]
+        texts = [(f"{mark.name} {_told(mark, several[0].system)}", mark.marker) for mark in marks(several[0])]
     else:
         used = {mark.marker for stored in several for mark in marks(stored)}
         named = [*MARKERS.items(), ("failure of a material", FAILURE)]

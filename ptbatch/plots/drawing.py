@@ -61,10 +61,15 @@ def draw_geometry(workbook: Path, members: Sequence[str], output: Path | None = 
 
     Raises what `draw` raises.
     """
-    rows = read_inputs(workbook).only(members).rows
+    inputs = read_inputs(workbook)
+    rows = inputs.only(members).rows
     lacking = [f"{row.name} is invalid: {text}" for row in rows if not row.member for text in row.problems]
     sketches = [(row.name, row.member or sketch(row)) for row in rows]
-    pages = [(name, lambda member=member: geometry_of(member)) for name, member in sketches if member]
+    pages = [
+        (name, lambda member=member: geometry_of(member, inputs.system))
+        for name, member in sketches
+        if member
+    ]
     if not pages:
         raise NothingToDrawError("nothing to draw: " + "; ".join(lacking))
     return Drawn(_save_pages(workbook, pages, "geometry", output), lacking)

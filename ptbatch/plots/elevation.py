@@ -16,6 +16,8 @@ from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
 from ptbatch.model.loading import has_service_value, live, sustained
 from ptbatch.plots import style
+from ptbatch.workbook.column import System
+from ptbatch.workbook.systems import shown
 
 Array = NDArray[np.float64]
 
@@ -26,8 +28,9 @@ ARROWS = 9  # to a whole member
 SPIKE: dict[str, Any] = {"arrowstyle": "-|>,head_width=0.16,head_length=0.36", "linewidth": 0.8}
 
 
-def draw_elevation(axes: Axes, member: Member) -> None:
-    """Everything that one wants to see before an analysis; depths below the top fibre as in the workbook."""
+def draw_elevation(axes: Axes, member: Member, system: System) -> None:
+    """Everything that one wants to see before an analysis; depths below the top fibre as in the workbook, the
+    sizes in the legend in the units of a system."""
     draw_body(axes, member)
     _bars(axes, member)
     rows = [(sustained(member), style.DEAD), (live(member), style.LIVE)]
@@ -37,7 +40,7 @@ def draw_elevation(axes: Axes, member: Member) -> None:
             _load_row(axes, member, loads, top, ink)
             top += BAND
     axes.set_ylim(top=-(top + 0.06) * member.h)
-    style.legend(axes, _key(member))
+    style.legend(axes, _key(member, system))
 
 
 def draw_body(axes: Axes, member: Member) -> None:
@@ -130,26 +133,32 @@ def _arrow(axes: Axes, x: float, tail: float, tip: float, ink: str, width: float
     axes.annotate("", (x / 1e3, tip), (x / 1e3, tail), arrowprops=look, annotation_clip=False)
 
 
-def _key(member: Member) -> list[Line2D]:
+def _key(member: Member, system: System) -> list[Line2D]:
     """What the lines are, with their sizes."""
     depths = tendon_line(member)[1]
     bars = Counter((bar.depth, bar.area) for bar in all_bars(member))
-    steel = "; ".join(f"{style.small(area)} at {depth:g}" for depth, area in sorted(bars))
-    reach = f"{depths.min():.4g}" if np.ptp(depths) < 1e-6 else f"{depths.min():.4g} to {depths.max():.4g}"
-    tendon = f"tendon {style.small(member.Aps)} mm² at {reach} mm"
+    length, (_, per_area) = shown("mm", system), shown("mm2", system)
+    steel = "; ".join(
+        f"{style.small(area * per_area)} at {depth * length[1]:.6g}" for depth, area in sorted(bars)
+    )
+    low, high = depths.min() * length[1], depths.max() * length[1]
+    reach = f"{low:.4g}" if np.ptp(depths) < 1e-6 else f"{low:.4g} to {high:.4g}"
+    tendon = f"tendon {style.amount(member.Aps, 'mm2', system)} at {reach} {length[0]}"
     lines: list[tuple[str, str, float]] = [(tendon, style.TENDON, 1.6)]
-    lines += [(f"bars {steel} mm", style.BARS, 1.0)] if steel else []
-    lines += [(f"sustained {told(sustained(member))}", style.DEAD, 0.8)] if sustained(member) else []
-    pattern = told(live(member)) if has_service_value(member) else "pattern (no service value)"
+    lines += [(f"bars {steel} {length[0]}", style.BARS, 1.0)] if steel else []
+    dead = told(sustained(member), system)
+    lines += [(f"sustained {dead}", style.DEAD, 0.8)] if dead else []
+    pattern = told(live(member), system) if has_service_value(member) else "pattern (no service value)"
     lines += [(f"live {pattern}", style.LIVE, 0.8)]
     return [Line2D([], [], color=ink, linewidth=width, label=text) for text, ink, width in lines]
 
 
-def told(loads: list[Load]) -> str:
+def told(loads: list[Load], system: System = "SI") -> str:
     """Loads in words: `10 kN/m`, `2 × 15 kN`."""
     counts = Counter((load.type, load.value) for load in loads)
     words = []
     for (kind, value), count in counts.items():
-        size = f"{value / 1e3:.4g} kN" if kind == "point" else f"{value:.4g} kN/m"
+        unit, factor = shown("kN" if kind == "point" else "kN/m", system)
+        size = f"{(value / 1e3 if kind == 'point' else value) * factor:.4g} {unit}"
         words.append(f"{count} × {size}" if count > 1 and kind == "point" else size)
     return ", ".join(words)

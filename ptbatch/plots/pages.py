@@ -19,7 +19,9 @@ from ptbatch.plots.missing import lack, missing, reason
 from ptbatch.plots.profile import draw_profile
 from ptbatch.plots.section import draw_section
 from ptbatch.plots.stress import draw_redistribution, draw_stress
+from ptbatch.workbook.column import System
 from ptbatch.workbook.stored import Stored
+from ptbatch.workbook.systems import shown
 
 TITLES = {
     "stress": "Tendon stress after stressing",
@@ -65,7 +67,7 @@ def page_of(stored: Stored) -> Figure:
         sheet = _sheet(10.0, 10.2)
         grid = sheet.add_gridspec(3, 12, height_ratios=(0.85, 1.0, 1.0))
         if stored.member is not None:
-            _drawing(sheet, stored.member, grid[0, :8], grid[0, 8:])
+            _drawing(sheet, stored.member, stored.system, grid[0, :8], grid[0, 8:])
         places = [grid[1, :6], grid[1, 6:], grid[2, :6], grid[2, 6:]]
         for kind, place in zip(HEIGHTS, places, strict=False):
             _panel(sheet.add_subplot(place), [stored], kind, TITLES[kind])
@@ -73,22 +75,22 @@ def page_of(stored: Stored) -> Figure:
         return sheet
 
 
-def geometry_of(member: Member) -> Figure:
+def geometry_of(member: Member, system: System = "SI") -> Figure:
     """Elevation and cross-section, before any analysis."""
     with rc_context(style.RC):
         sheet = _sheet(10.0, 3.9)
         grid = sheet.add_gridspec(1, 12)
-        _drawing(sheet, member, grid[0, :8], grid[0, 8:])
+        _drawing(sheet, member, system, grid[0, :8], grid[0, 8:])
         _head(sheet, member.member, "")
         return sheet
 
 
-def drawing_of(member: Member) -> Figure:
+def drawing_of(member: Member, system: System) -> Figure:
     """The same without a head, as wide as the other figures."""
     with rc_context(style.RC):
         sheet = _sheet(WIDTH, 2.9)
         grid = sheet.add_gridspec(1, 12)
-        _drawing(sheet, member, grid[0, :9], grid[0, 9:])
+        _drawing(sheet, member, system, grid[0, :9], grid[0, 9:])
         return sheet
 
 
@@ -103,12 +105,13 @@ def _head(sheet: Figure, title: str, footer: str) -> None:
         sheet.supxlabel(fill(footer, LINE), x=0.01, ha="left", fontsize=8, color=style.GREY)
 
 
-def _drawing(sheet: Figure, member: Member, left: Any, right: Any) -> None:
+def _drawing(sheet: Figure, member: Member, system: System, left: Any, right: Any) -> None:
     elevation, section = sheet.add_subplot(left), sheet.add_subplot(right)
-    draw_elevation(elevation, member)
+    draw_elevation(elevation, member, system)
+    style.in_system(elevation, system)
     elevation.set_title("Elevation, not to scale")
-    draw_section(section, member)
-    section.set_title("Section [mm]", pad=16)
+    draw_section(section, member, system)
+    section.set_title(f"Section [{shown('mm', system)[0]}]", pad=16)
 
 
 def _panel(axes: Axes, several: Sequence[Stored], kind: str, title: str) -> None:
@@ -117,10 +120,12 @@ def _panel(axes: Axes, several: Sequence[Stored], kind: str, title: str) -> None
     able = [stored for stored in several if not missing(stored, kind)]
     if not able:
         style.note(axes, "\n".join(fill(lack(stored, missing(stored, kind)), 56) for stored in several))
-    elif kind in OVERLAID:
+        return
+    if kind in OVERLAID:
         OVERLAID[kind](axes, able)
     else:
         SINGLE[kind](axes, able[0])
+    style.in_system(axes, able[0].system)
 
 
 def _outcome(stored: Stored) -> str:
@@ -128,8 +133,11 @@ def _outcome(stored: Stored) -> str:
     peak, factor = stored.value("load_peak [kN]"), stored.value("load_factor_peak")
     if not np.isfinite(peak):
         return reason(stored)
-    text = f"peak {peak:.4g} kN" + (f" (load factor {factor:.3f})" if np.isfinite(factor) else "")
+    (unit, factor_to), (length, per_m) = shown("kN", stored.system), shown("m", stored.system)
+    text = f"peak {peak * factor_to:.4g} {unit}" + (
+        f" (load factor {factor:.3f})" if np.isfinite(factor) else ""
+    )
     x = stored.value("failure_x [mm]")
-    place = f" at x = {x / 1e3:.2f} m" if np.isfinite(x) else ""
+    place = f" at x = {x / 1e3 * per_m:.2f} {length}" if np.isfinite(x) else ""
     message = stored.summary.get("message")
     return f"{text}; {stored.summary['failure']}{place}" + (f"; {message}" if message else "")

@@ -10,12 +10,14 @@ from matplotlib.path import Path
 from ptbatch.member import Member
 from ptbatch.plots import style
 from ptbatch.plots.elevation import all_bars, tendon_line
+from ptbatch.workbook.column import System
+from ptbatch.workbook.systems import shown
 
 COVER = 0.1  # of the width there: bars keep this far from the sides
 
 
-def draw_section(axes: Axes, member: Member) -> None:
-    """Section with its outer sizes in mm."""
+def draw_section(axes: Axes, member: Member, system: System) -> None:
+    """Section with its outer sizes in mm or in."""
     axes.add_patch(PathPatch(outline(member), facecolor=style.CONCRETE, edgecolor=style.INK, linewidth=0.9))
     for bar in all_bars(member):
         _bar_row(axes, member, bar.depth, bar.x_end - bar.x_start < 0.999 * member.total_length)
@@ -29,8 +31,9 @@ def draw_section(axes: Axes, member: Member) -> None:
     axes.set_xlim(-1.12 * reach, 1.12 * reach)
     axes.set_ylim(max(1.06 * member.h, 1.05 * depths.max()), -0.06 * member.h)
     axes.set_axis_off()
-    _size(axes, f"{member.b:g}", (0.0, 0.0), (0, 4), "bottom", "center")
-    _size(axes, f"{member.h:g}", (-reach, member.h / 2.0), (-4, 0), "center", "right")
+    factor = shown("mm", system)[1]
+    _size(axes, f"{member.b * factor:g}", (0.0, 0.0), (0, 4), "bottom", "center")
+    _size(axes, f"{member.h * factor:g}", (-reach, member.h / 2.0), (-4, 0), "center", "right")
 
 
 def _size(axes: Axes, text: str, at: tuple[float, float], offset: tuple[int, int], va: str, ha: str) -> None:

@@ -6,7 +6,12 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Transform, offset_copy
+
+from ptbatch.workbook.column import System
+from ptbatch.workbook.systems import shown
+from ptbatch.workbook.units import parse_header
 
 RC: Any = {
     **{"font.family": "DejaVu Sans", "font.size": 8.5, "mathtext.default": "regular"},
@@ -31,6 +36,7 @@ TENDON, BARS, LIVE, DEAD = VERMILION, BLUE, INK, GREY
 LEGEND_BELOW = 32.0  # points below the axes: ticks and axis label are that high
 LETTERS_PER_INCH = 15.0  # of a legend
 LONGEST = 60  # text of a legend
+TICKS, ROUND_OFF = 7, 1e-9
 
 STAGES = {"jacked": GREY, "anchored": BLUE, "peak": VERMILION, "end": PURPLE}
 
@@ -52,6 +58,24 @@ def along(axes: Axes, length: float, supports: Iterable[float] = ()) -> None:
     axes.set_xlabel("x [m]")
     for x in supports:
         axes.axvline(x / 1e3, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0.5)
+
+
+def in_system(axes: Axes, system: System) -> None:
+    """Tell the axes, which are drawn in SI units, in those of a system: labels, and round ticks."""
+    for axis in (axes.xaxis, axes.yaxis):
+        label = axis.get_label_text()
+        unit = parse_header(label).unit
+        other, factor = shown(unit, system)
+        if other == unit or axis.get_scale() != "linear":
+            continue
+        axis.set_label_text(label.replace(f"[{unit}]", f"[{other}]"))
+        low, high = sorted(axis.get_view_interval())
+        bounds = axes.spines["left"].get_bounds() if axis is axes.yaxis else None
+        low, high = (low, high) if bounds is None else (max(low, bounds[0]), min(high, bounds[1]))
+        locator = MaxNLocator(TICKS, steps=[1, 2, 2.5, 5, 10])
+        ticks = np.array(locator.tick_values(low * factor, high * factor))
+        ticks = ticks[(ticks >= low * factor - ROUND_OFF) & (ticks <= high * factor + ROUND_OFF)]
+        axis.set_ticks(ticks / factor, [f"{tick:g}" for tick in ticks])
 
 
 def legend(axes: Axes, handles: Sequence[Any]) -> None:
@@ -103,3 +127,11 @@ def note(axes: Axes, text: str) -> None:
 def small(number: float) -> str:
     """A number for a legend: four digits at most, no exponent."""
     return f"{number:.0f}" if abs(number) >= 1000 else f"{number:.4g}"
+
+
+def amount(value: float, unit: str, system: System, digits: int = 4) -> str:
+    """A value of an SI unit for a legend, in the unit of a system."""
+    other, factor = shown(unit, system)
+    value = value * factor + 0.0  # no -0
+    number = f"{value:.{digits}g}" if digits < 4 else small(value)
+    return f"{number} {other.replace('2', '²')}"

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.plots.curve import marks
-from ptbatch.report.words import DASH, digits, fixed, said
+from ptbatch.report.words import DASH, Words, fixed
 from ptbatch.workbook.stored import Stored
 
 EVENTS = ("cracking", "yield", "peak")
@@ -17,8 +17,8 @@ AT_PEAK = (
 
 
 class Event(NamedTuple):
-    """Something that happens under live load: load [kN], load factor, deflection [mm], place [m]; or the
-    reason why it does not, alone."""
+    """Something that happens under live load: load, load factor, deflection, place; or the reason why it does
+    not, alone."""
 
     name: str
     load: str = ""
@@ -31,16 +31,16 @@ class Event(NamedTuple):
 def events(stored: Stored) -> list[Event]:
     """Cracking, yield and peak, and the failure of a material, of which alone the results have the place."""
     found = {mark.name: mark for mark in marks(stored)}
-    rows = []
+    words, rows = Words(stored.system), []
     for name in EVENTS:
         load = stored.value(f"load_{name} [kN]")
         if np.isfinite(load):
-            deflection = digits(found[name].deflection, 3) if name in found else DASH
+            deflection = words.digits(found[name].deflection, "mm", 3) if name in found else DASH
             rows.append(
-                Event(name, fixed(load, "kN"), _factor(stored, load), deflection, _place(stored, load))
+                Event(name, words.number(load, "kN"), _factor(stored, load), deflection, _place(stored, load))
             )
         else:
-            rows.append(Event(name, reason=said(stored.summary.get(f"load_{name} [kN]"), "kN")))
+            rows.append(Event(name, reason=words.said(stored.summary.get(f"load_{name} [kN]"), "kN")))
     return [*rows, _failure(stored)]
 
 
@@ -48,7 +48,7 @@ def _place(stored: Stored, load: float) -> str:
     """Where a material fails, of an event under the same load."""
     x = stored.value("failure_x [mm]")
     fails = np.isfinite(x) and np.isclose(load, stored.value("failure_load [kN]"), rtol=1e-9)
-    return f"x = {fixed(x / 1e3, 'm')} m" if fails else DASH
+    return f"x = {Words(stored.system).amount(x / 1e3, 'm')}" if fails else DASH
 
 
 def _factor(stored: Stored, load: float) -> str:
@@ -60,19 +60,24 @@ def _factor(stored: Stored, load: float) -> str:
 def _failure(stored: Stored) -> Event:
     """The first material at its limit strain; it has a place also where no load could come on."""
     name, x = f"failure: {stored.summary.get('failure')}", stored.value("failure_x [mm]")
-    place = f"x = {fixed(x / 1e3, 'm')} m" if np.isfinite(x) else ""
+    words = Words(stored.system)
+    place = f"x = {words.amount(x / 1e3, 'm')}" if np.isfinite(x) else ""
     load = stored.value("failure_load [kN]")
     if not np.isfinite(load):
-        why = said(stored.summary.get("failure_load [kN]"), "kN")
+        why = words.said(stored.summary.get("failure_load [kN]"), "kN")
         return Event(name, reason="; ".join(filter(None, (why, place))))
-    deflection = digits(stored.value("failure_deflection [mm]"), 3)
-    return Event(name, fixed(load, "kN"), _factor(stored, load), deflection, place or DASH)
+    deflection = words.digits(stored.value("failure_deflection [mm]"), "mm", 3)
+    return Event(name, words.number(load, "kN"), _factor(stored, load), deflection, place or DASH)
 
 
 def at_peak(stored: Stored) -> list[tuple[str, str, str]]:
     """(what, value, unit) of other quantities at the peak."""
-    return [(text, said(stored.summary.get(header), unit), unit) for header, text, unit in AT_PEAK
-            if np.isfinite(stored.value(header))]  # fmt: skip
+    words = Words(stored.system)
+    return [
+        (text, words.said(stored.summary.get(header), unit), words.unit(unit))
+        for header, text, unit in AT_PEAK
+        if np.isfinite(stored.value(header))
+    ]
 
 
 def quality(stored: Stored) -> str:

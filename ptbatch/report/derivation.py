@@ -11,7 +11,7 @@ from ptbatch.member import Member
 from ptbatch.report.friction import friction_steps
 from ptbatch.report.step import ANCHORED_CURVE, JACKED_CURVE, Step, with_unit
 from ptbatch.report.wedge_set import set_steps
-from ptbatch.report.words import MINUS, digits, fixed
+from ptbatch.report.words import MINUS, Words, fixed
 from ptbatch.workbook.stored import Stored
 
 
@@ -41,6 +41,7 @@ def derivation(stored: Stored) -> list[Step]:
 
 def _losses(stored: Stored, losses: Losses) -> Iterator[Step]:
     """What is left at the ends."""
+    words = Words(stored.system)
     far = "where the stress is least" if len(losses.friction.live) == 2 else "fixed end"
     places = (
         ("jacking_end", "jacking end", losses.loss_jacking_end),
@@ -50,7 +51,7 @@ def _losses(stored: Stored, losses: Losses) -> Iterator[Step]:
         yield Step(
             f"loss, {place}",
             f"1 {MINUS} {ANCHORED_CURVE} / fpj",
-            f"1 {MINUS} {fixed((1.0 - loss) * losses.fpj, 'MPa')} / {fixed(losses.fpj, 'MPa')}",
+            f"1 {MINUS} {words.number((1.0 - loss) * losses.fpj, 'MPa')} / {words.number(losses.fpj, 'MPa')}",
             f"{fixed(100.0 * loss, '%')} %",
             with_unit("%", stored, f"loss_{name}_fe [%]"),
         )
@@ -58,25 +59,27 @@ def _losses(stored: Stored, losses: Losses) -> Iterator[Step]:
 
 def _elongation(stored: Stored, member: Member, losses: Losses) -> Iterator[Step]:
     """Elongation at the live ends, and the mean stress that it stands for."""
+    words = Words(stored.system)
     before, after, ends = losses.elongation_before, losses.elongation_after, len(losses.level)
     yield Step(
         "elongation before the set",
         f"Δ = ∫ {JACKED_CURVE} ds / Ep",
-        f"{fixed(before * member.Ep / 1e3, 'kN')} MPa m / {digits(member.Ep)} MPa",
-        f"{fixed(before, 'mm')} mm",
+        f"{words.amount(before * member.Ep / 1e3, 'MPa m')} / {words.size(member.Ep, 'MPa')}",
+        words.amount(before, "mm"),
         with_unit("mm", stored, "elongation_before_set [mm]"),
     )
     yield Step(
         "elongation after the set",
         f"Δ\u2009after = Δ {MINUS} set, at each live end",
-        f"{fixed(before, 'mm')} mm {MINUS} {ends} · {digits(member.set)} mm",
-        f"{fixed(after, 'mm')} mm",
+        f"{words.amount(before, 'mm')} {MINUS} {ends} · {words.size(member.set, 'mm')}",
+        words.amount(after, "mm"),
         with_unit("mm", stored, "elongation_after_set [mm]"),
     )
     yield Step(
         "mean stress after anchoring",
         "Ep Δ\u2009after / L",
-        f"{digits(member.Ep)} MPa · {fixed(after, 'mm')} mm / {fixed(losses.friction.length / 1e3, '-')} m",
-        f"{fixed(losses.mean_anchored, 'MPa')} MPa",
+        f"{words.size(member.Ep, 'MPa')} · {words.amount(after, 'mm')} / "
+        f"{words.amount(losses.friction.length / 1e3, 'm')}",
+        words.amount(losses.mean_anchored, "MPa"),
         with_unit("MPa", stored, "stress_anchored_mean [MPa]"),
     )

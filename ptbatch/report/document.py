@@ -14,6 +14,7 @@ from ptbatch.errors import OutputNameError, WriteError
 from ptbatch.report.chapter import Chapter, chapter, lacking
 from ptbatch.report.overview import counts, line
 from ptbatch.report.source import Source, read_source
+from ptbatch.report.words import Words
 from ptbatch.workbook.stored import Stored, read_all, read_stored
 
 Progress = Callable[[int, int, str], None]  # done, in total, name of the member
@@ -84,6 +85,7 @@ def _content(name: str, several: Sequence[Stored], source: Source) -> dict[str, 
         "css": Markup((HERE / "report.css").read_text("utf-8")),
         "about": source.about(),
         "rows": source.run.get("rows"),
+        "unit": Words(several[0].system if several else "SI").unit,
         "lines": lines,
         "counts": dict(counts(lines)),
     }

@@ -9,6 +9,7 @@ from ptbatch.member import Member
 from ptbatch.plots.missing import missing
 from ptbatch.plots.pages import TITLES, drawing_of, figure_of
 from ptbatch.report.svg import inline
+from ptbatch.workbook.column import System
 from ptbatch.workbook.stored import Stored
 
 HEIGHTS = {"stress": 2.15, "redistribution": 2.15, "load-deflection": 2.8, "cracks": 1.6}  # inches: one page
@@ -21,9 +22,9 @@ class Picture(NamedTuple):
     svg: Markup
 
 
-def drawing(member: Member, prefix: str) -> Markup:
+def drawing(member: Member, prefix: str, system: System) -> Markup:
     """The member before any analysis: elevation and section."""
-    return inline(drawing_of(member), f"{prefix}-geometry", "Elevation and section")
+    return inline(drawing_of(member, system), f"{prefix}-geometry", "Elevation and section")
 
 
 def pictures(stored: Stored, prefix: str) -> Iterator[Picture]:

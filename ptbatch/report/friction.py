@@ -7,7 +7,7 @@ import numpy as np
 from ptbatch.losses import Losses
 from ptbatch.member import Member
 from ptbatch.report.step import Step
-from ptbatch.report.words import DASH, MINUS, digits, fixed
+from ptbatch.report.words import DASH, MINUS, Words, digits
 from ptbatch.response import JACKED
 from ptbatch.workbook.stored import Stored
 
@@ -15,27 +15,29 @@ from ptbatch.workbook.stored import Stored
 def friction_steps(stored: Stored, member: Member, losses: Losses) -> Iterator[Step]:
     """Eq. (38) from the (left) live end to the far end, or to where the curves of two live ends meet."""
     friction, P0, far = losses.friction, losses.fpj * member.Aps / 1e3, _far(losses)
+    words = Words(stored.system)
     both = len(friction.live) == 2
     angle, length = _way(losses, far)
     yield Step(
         "jacking force",
         "P₀ = fpj Aps",
-        f"{digits(losses.fpj)} MPa · {digits(member.Aps)} mm²",
-        f"{fixed(P0, 'kN')} kN",
+        f"{words.size(losses.fpj, 'MPa')} · {words.size(member.Aps, 'mm2')}",
+        words.amount(P0, "kN"),
         _force(stored, member, friction.ends[friction.live[0]]),
     )
     place = "where the pull of both jacks is the same" if both else "the dead end"
     yield Step("angle turned", "α = Σ |changes of direction|", f"up to {place}", f"{digits(angle)} rad")
-    at = f"arc length of the tendon up to there, {fixed(far / 1e3, 'm')} m from the left"
-    yield Step("length", "x", at, f"{fixed(length / 1e3, '-')} m")
+    at = f"arc length of the tendon up to there, {words.amount(far / 1e3, 'm')} from the left"
+    yield Step("length", "x", at, words.amount(length / 1e3, "m"))
     exponent = (
-        f"{digits(member.mu)} · {digits(angle)} + {digits(1e3 * member.K)} · {fixed(length / 1e3, '-')}"
+        f"{digits(member.mu)} · {digits(angle)} + "
+        f"{words.digits(1e3 * member.K, '1/m')} · {words.number(length / 1e3, 'm')}"
     )
     yield Step(
         "force there, jacked",
         f"P = P₀ exp({MINUS}(μ α + K x)), eq. (38)",
-        f"{fixed(P0, 'kN')} kN · exp({MINUS}({exponent}))",
-        f"{fixed(P0 * float(friction.jacked(far)), 'kN')} kN",
+        f"{words.amount(P0, 'kN')} · exp({MINUS}({exponent}))",
+        words.amount(P0 * float(friction.jacked(far)), "kN"),
         DASH if both else _force(stored, member, far),
     )
 
@@ -63,4 +65,4 @@ def _force(stored: Stored, member: Member, x: float) -> str:
     if not len(jacked):
         return "not reached"
     at = np.abs(jacked.numbers("x [mm]") - x).argmin()
-    return f"{fixed(jacked.numbers('stress_fe [MPa]')[at] * member.Aps / 1e3, 'kN')} kN"
+    return Words(stored.system).amount(jacked.numbers("stress_fe [MPa]")[at] * member.Aps / 1e3, "kN")

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 from ptbatch.along import Bar, Load
 from ptbatch.member import Member
-from ptbatch.report.words import digits
-from ptbatch.workbook.column import LISTS, Column
+from ptbatch.report.words import Words, digits
+from ptbatch.workbook.column import LISTS, Column, System
 from ptbatch.workbook.columns import BY_NAME
 from ptbatch.workbook.units import factor
 
@@ -32,14 +32,15 @@ class Given(NamedTuple):
     unit: str
 
 
-def given(member: Member) -> dict[str, list[Given]]:
+def given(member: Member, system: System) -> dict[str, list[Given]]:
     """Values by group; those that this member has no use for are left out."""
-    groups = {title: [_given(member, BY_NAME[name]) for name in names if _used(member, name)]
+    words = Words(system)
+    groups = {title: [_given(member, BY_NAME[name], system) for name in names if _used(member, name)]
               for title, names in GROUPS.items()}  # fmt: skip
-    points = [f"{digits(x)}; {digits(dp)}" for x, dp in member.profile_points]
-    groups["Tendon"] += _some([Given("x; dp", point, "mm") for point in points], "profile")
-    groups["Bars"] += _some([Given("bars", _bar(bar), "") for bar in member.bars], "rebar")
-    groups["Loads"] += _some([Given(load.case, _load(load), "") for load in member.loads], "loads")
+    points = [f"{words.digits(x, 'mm')}; {words.digits(dp, 'mm')}" for x, dp in member.profile_points]
+    groups["Tendon"] += _some([Given("x; dp", point, words.unit("mm")) for point in points], "profile")
+    groups["Bars"] += _some([Given("bars", _bar(bar, words), "") for bar in member.bars], "rebar")
+    groups["Loads"] += _some([Given(load.case, _load(load, words), "") for load in member.loads], "loads")
     return {title: values for title, values in groups.items() if values}
 
 
@@ -61,10 +62,10 @@ def _used(member: Member, name: str) -> bool:
     return not (name == "profile" and member.profile_points)
 
 
-def _given(member: Member, column: Column) -> Given:
-    unit = column.unit("SI")
+def _given(member: Member, column: Column, system: System) -> Given:
+    unit = column.unit(system)
     value = _value(column, getattr(member, column.name), unit)
-    return Given(column.name, value, unit.replace("-", "").replace("m2", "m²").replace("m3", "m³"))
+    return Given(column.name, value, unit.replace("-", "").replace("2", "²").replace("3", "³"))
 
 
 def _value(column: Column, value: Any, unit: str) -> str:
@@ -76,14 +77,16 @@ def _value(column: Column, value: Any, unit: str) -> str:
     return "; ".join(digits(number / factor(column.quantity, unit)) for number in numbers)
 
 
-def _bar(bar: Bar) -> str:
+def _bar(bar: Bar, words: Words) -> str:
     """`402 mm² at 550 mm, x = 0 to 6000 mm, fy = 420 MPa`."""
-    x = f"x = {digits(bar.x_start)} to {digits(bar.x_end)} mm"
-    return f"{digits(bar.area)} mm² at {digits(bar.depth)} mm, {x}, fy = {digits(bar.fy)} MPa"
+    x = f"x = {words.digits(bar.x_start, 'mm')} to {words.size(bar.x_end, 'mm')}"
+    place = f"{words.size(bar.depth, 'mm')}, {x}"
+    return f"{words.size(bar.area, 'mm2')} at {place}, fy = {words.size(bar.fy, 'MPa')}"
 
 
-def _load(load: Load) -> str:
+def _load(load: Load, words: Words) -> str:
     """`15 kN at x = 4000 mm`, `5 kN/m, x = 0 to 6000 mm`."""
     if load.type == "point":
-        return f"{digits(load.value / 1e3)} kN at x = {digits(load.x)} mm"
-    return f"{digits(load.value)} kN/m, x = {digits(load.x)} to {digits(load.x_end)} mm"
+        return f"{words.size(load.value / 1e3, 'kN')} at x = {words.size(load.x, 'mm')}"
+    x = f"x = {words.digits(load.x, 'mm')} to {words.size(load.x_end, 'mm')}"
+    return f"{words.size(load.value, 'kN/m')}, {x}"

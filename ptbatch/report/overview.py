@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.report.words import digits, fixed, said
+from ptbatch.report.words import Words, fixed
 from ptbatch.workbook.stored import Stored
 
 PASSED = ("ok", "warning")
@@ -13,7 +13,7 @@ LOSSES = ("loss_jacking_end_fe [%]", "loss_fixed_end_fe [%]")
 
 
 class Line(NamedTuple):
-    """A member: name, link to its chapter, kind, spans [m], status; losses [%], capacity and failure, or the
+    """A member: name, link to its chapter, kind, spans, status; losses [%], capacity and failure, or the
     reason why there are none."""
 
     name: str
@@ -29,10 +29,11 @@ class Line(NamedTuple):
 def line(stored: Stored, link: str) -> Line:
     """The line of a member."""
     member, status = stored.member, str(stored.summary.get("status"))
-    losses = tuple(said(stored.summary.get(header), "%") for header in LOSSES)
+    words = Words(stored.system)
+    losses = tuple(words.said(stored.summary.get(header), "%") for header in LOSSES)
     factor = stored.value("load_factor_peak")
     capacity = (
-        said(stored.summary.get("load_peak [kN]"), "kN"),
+        words.said(stored.summary.get("load_peak [kN]"), "kN"),
         fixed(factor, "-") if np.isfinite(factor) else "none given",  # a service load
         str(stored.summary.get("failure")),
     )
@@ -40,7 +41,7 @@ def line(stored: Stored, link: str) -> Line:
         stored.name,
         link,
         member.kind if member else "",
-        " + ".join(digits(span / 1e3) for span in member.span) if member else "",
+        " + ".join(words.digits(span / 1e3, "m") for span in member.span) if member else "",
         status,
         losses if all(np.isfinite(stored.value(header)) for header in LOSSES) else (),
         capacity if np.isfinite(stored.value("load_peak [kN]")) else (),

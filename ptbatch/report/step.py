@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.report.words import DASH, said
+from ptbatch.report.words import DASH, Words
 from ptbatch.workbook.stored import Stored
 
 JACKED_CURVE, ANCHORED_CURVE = "σ\u2009jacked", "σ\u2009anchored"
@@ -25,5 +25,6 @@ class Step(NamedTuple):
 
 def with_unit(unit: str, stored: Stored, header: str) -> str:
     """A value of the summary with its unit, or the text in its place."""
-    text = said(stored.summary.get(header), unit)
-    return f"{text} {unit}" if np.isfinite(stored.value(header)) else text
+    words = Words(stored.system)
+    text = words.said(stored.summary.get(header), unit)
+    return f"{text} {words.unit(unit)}" if np.isfinite(stored.value(header)) else text

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.report.words import DASH, fixed, said
+from ptbatch.report.words import DASH, Words
 from ptbatch.response import STAGES
 from ptbatch.workbook.stored import Stored, Table
 
@@ -23,7 +23,7 @@ KNOWN = {  # of the summary: as exact as the analysis has it
 
 
 class Stage(NamedTuple):
-    """A stage and its stresses [MPa]: least, mean, largest of the analysis, then analytic ones."""
+    """A stage and its stresses: least, mean, largest of the analysis, then analytic ones."""
 
     name: str
     meaning: str
@@ -35,7 +35,7 @@ def stages(stored: Stored) -> list[Stage]:
     """The stages that were reached."""
     lines = {name: stored.tendon.stage(name) for name in STAGES}
     return [
-        Stage(name, MEANINGS[name], _fe(stored, name, line), _three(line, ANALYTIC))
+        Stage(name, MEANINGS[name], _fe(stored, name, line), _three(stored, line, ANALYTIC))
         for name, line in lines.items()
         if len(line)
     ]
@@ -43,20 +43,24 @@ def stages(stored: Stored) -> list[Stage]:
 
 def _fe(stored: Stored, name: str, line: Table) -> tuple[str, ...]:
     known = [stored.value(header) for header in KNOWN.get(name, ("", "", ""))]
-    along = _three(line, FE)
-    return tuple(fixed(v, "MPa") if np.isfinite(v) else text for v, text in zip(known, along, strict=True))
+    along, words = _three(stored, line, FE), Words(stored.system)
+    return tuple(
+        words.number(v, "MPa") if np.isfinite(v) else text for v, text in zip(known, along, strict=True)
+    )
 
 
-def _three(line: Table, header: str) -> tuple[str, ...]:
+def _three(stored: Stored, line: Table, header: str) -> tuple[str, ...]:
     """Least, mean over x, largest; dashes where there is no curve."""
     x, stress = line.numbers(X), line.numbers(header)
     if not np.isfinite(stress).all() or len(x) < 2:
         return (DASH,) * 3
     mean = float(np.sum(0.5 * (stress[1:] + stress[:-1]) * np.diff(x)) / (x[-1] - x[0]))
-    return tuple(fixed(value, "MPa") for value in (float(stress.min()), mean, float(stress.max())))
+    words = Words(stored.system)
+    return tuple(words.number(value, "MPa") for value in (float(stress.min()), mean, float(stress.max())))
 
 
 def camber(stored: Stored) -> str:
     """Camber after anchoring, or why there is none."""
-    text = said(stored.summary.get("camber_anchored [mm]"), "mm")
-    return f"{text} mm" if np.isfinite(stored.value("camber_anchored [mm]")) else text
+    words = Words(stored.system)
+    text = words.said(stored.summary.get("camber_anchored [mm]"), "mm")
+    return f"{text} {words.unit('mm')}" if np.isfinite(stored.value("camber_anchored [mm]")) else text

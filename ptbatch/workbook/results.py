@@ -8,7 +8,7 @@ from ptbatch.workbook.column import System
 from ptbatch.workbook.inputs import Inputs
 from ptbatch.workbook.page import sayable
 from ptbatch.workbook.rows import Row
-from ptbatch.workbook.systems import headers_in, record_in
+from ptbatch.workbook.systems import headers_in, record_in, sentence_in
 
 HEAD = ("member", "status", "message")
 SUMMARY = (
@@ -83,7 +83,8 @@ class Outcome:
         if system == "SI":
             return self
         tables = {name: [record_in(row, system) for row in getattr(self, name)] for name in DETAILS}
-        return Outcome(self.status, self.message, record_in(self.summary, system), **tables)
+        message = sentence_in(self.message, system)
+        return Outcome(self.status, message, record_in(self.summary, system), **tables)
 
 
 def summary_headers(inputs: Inputs, system: System) -> list[str]:

@@ -12,10 +12,12 @@ from numpy.typing import NDArray
 from ptbatch.errors import ReadError, UnknownMemberError
 from ptbatch.member import Member
 from ptbatch.validation import likely
+from ptbatch.workbook.column import System
 from ptbatch.workbook.filed import folder_in, rows_of, sheet_of
 from ptbatch.workbook.inputs import MAIN, make_inputs
 from ptbatch.workbook.optional import OPTIONAL_SHEETS
 from ptbatch.workbook.read import RawSheet, guarded, open_book
+from ptbatch.workbook.settings import read_settings
 from ptbatch.workbook.systems import record_in
 
 BOUNDS = 8  # results may be that many times larger than an input
@@ -44,14 +46,15 @@ class Table:
 
 @dataclass(frozen=True)
 class Stored:
-    """Results of one member as they stand in the workbook. member is None where its row was invalid; tables
-    are empty where the analysis did not get that far."""
+    """Results of one member, in SI units. member is None where its row was invalid; tables are empty where
+    the analysis did not get that far. system: that of the workbook, in which they are to be shown."""
 
     summary: Row
     member: Member | None
     tendon: Table
     curves: Table
     cracks: Table
+    system: System = "SI"
 
     @property
     def name(self) -> str:
@@ -93,9 +96,9 @@ class _Read(NamedTuple):
 def _members_of(path: Path, names: set[str] | None) -> _Read:
     """Rows of the members of these names, or all."""
     every, summary, tables, raw = guarded(path, lambda file: _read(file, path, names), BOUNDS)
-    members = _members(path, raw)
+    members, system = _members(path, raw), read_settings(raw.get("settings")).system
     by_name = {sheet: _by_name(rows) for sheet, rows in tables.items()}
-    return _Read([_stored(row, members, by_name) for row in summary], every)
+    return _Read([_stored(row, members, by_name, system) for row in summary], every)
 
 
 def _by_name(rows: Iterable[Row]) -> dict[Any, list[Row]]:
@@ -105,12 +108,15 @@ def _by_name(rows: Iterable[Row]) -> dict[Any, list[Row]]:
     return found
 
 
-def _stored(row: Row, members: dict[str, Member], tables: dict[str, dict[Any, list[Row]]]) -> Stored:
+def _stored(
+    row: Row, members: dict[str, Member], tables: dict[str, dict[Any, list[Row]]], system: System
+) -> Stored:
     """One row; an invalid one has nothing, also where a sound one has its name."""
     name = row["member"]
     if row.get("status") == "invalid":
-        return Stored(row, None, Table(), Table(), Table())
-    return Stored(row, members.get(str(name)), *(Table(tables[sheet].get(name, [])) for sheet in TABLES))
+        return Stored(row, None, Table(), Table(), Table(), system)
+    tendon, curves, cracks = (Table(tables[sheet].get(name, [])) for sheet in TABLES)
+    return Stored(row, members.get(str(name)), tendon, curves, cracks, system)
 
 
 def _read(

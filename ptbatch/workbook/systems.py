@@ -4,6 +4,7 @@ Results are made in SI units, by the headers of `results`; they are converted on
 and back once, when a table is read.
 """
 
+import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any
@@ -15,6 +16,10 @@ NEUTRAL = ("", "-", "%", "1/rad")  # units of both systems
 _US = {"MPa": "ksi", "mm": "in", "kN": "kip", "kN m": "kip ft"}
 _SI = {us: si for si, us in _US.items()}
 _ELSEWHERE: Mapping[System, Mapping[str, str]] = {"US": _US, "SI": _SI}
+# What figures and reports use besides: units of the US, and of a product the number of them in one of SI
+_SHOWN = {"m": "ft", "mm2": "in2", "kN/m": "kip/ft", "kN/m3": "pcf", "1/m": "1/ft", "rad/m": "rad/ft"}
+_AMOUNT = re.compile(r"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) (mm|kN|MPa)\b")
+_PRODUCTS = {"MPa m": ("ksi ft", conversion("MPa", "ksi") * conversion("m", "ft"))}
 
 
 @lru_cache(1024)
@@ -41,7 +46,25 @@ def times(value: Any, factor: float) -> Any:
     return value * factor if factor != 1.0 and isinstance(value, float | int) else value
 
 
+def sentence_in(text: str, system: System) -> str:
+    """A message of an analysis, which names quantities in SI units, in a system."""
+    if system == "SI":
+        return text
+    return _AMOUNT.sub(
+        lambda found: f"{float(found[1]) * shown(found[2], system)[1]:.4g} {_US[found[2]]}", text
+    )
+
+
 def typical(headers: Iterable[str]) -> System:
     """The system that these headers have their units from; of a table in both it is SI."""
     units = [unit for header in headers if (unit := parse_header(header).unit) not in NEUTRAL]
     return "US" if sum(map(is_us, units)) > 2 / 3 * len(units) > 0.0 else "SI"
+
+
+@lru_cache(64)
+def shown(unit: str, system: System) -> tuple[str, float]:
+    """The unit that a figure or a report uses for one of SI, and the number of them in it."""
+    if system == "US" and unit in _PRODUCTS:
+        return _PRODUCTS[unit]
+    other = (_US | _SHOWN).get(unit, unit) if system == "US" else unit
+    return other, 1.0 if other == unit else conversion(unit, other)

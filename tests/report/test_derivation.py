@@ -7,7 +7,7 @@ import pytest
 from ptbatch.report.capacity import events
 from ptbatch.report.derivation import derivation, losses_of
 from ptbatch.report.stressing import stages
-from ptbatch.report.words import MINUS, digits, fixed, said
+from ptbatch.report.words import MINUS, Words, digits, fixed
 from tests.report.conftest import LONG, SCRIPT
 
 SOUND = ["simple", "US tee", "two spans", "stuck", SCRIPT, "=1+1", LONG, "mean", "frictionless", "too heavy"]
@@ -98,6 +98,23 @@ def test_digits(value, text):
 
 
 def test_said():
+    said = Words("SI").said
     assert said(-0.0001, "%") == "0.00"
     assert said("no crack", "kN") == "no crack"
     assert said(None, "kN") == "not in the results"
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (1395.0, "MPa", "202.33 ksi"),  # 1 ksi = 6.894757 MPa, NIST SP 811, as the others
+        (25.4, "mm", "1.000 in"),
+        (3.048, "m", "10.00 ft"),
+        (4.4482216, "kN", "1.00 kip"),
+        (1.3558179, "kN m", "1.0 kip ft"),
+        (6.8947573 * 0.3048, "MPa m", "1.0 ksi ft"),
+    ],
+)
+def test_values_in_us_units(value, unit, text):
+    assert Words("US").amount(value, unit) == text
+    assert Words("SI").amount(value, unit).endswith(f" {unit}")

@@ -12,7 +12,7 @@ BEAM |= {"member": "B", "dp": (250, 400, 250), "As": (300, 200), "ds": (450, 420
 
 def told(name, **values) -> list[str]:
     """Values of that name, with their units."""
-    groups = given(Member(**BEAM | values))
+    groups = given(Member(**BEAM | values), "SI")
     return [
         f"{one.value} {one.unit}".strip() for group in groups.values() for one in group if one.name == name
     ]

@@ -13,7 +13,7 @@ from ptbatch.member import Member
 from ptbatch.workbook.inputs import read_inputs
 from ptbatch.workbook.results import DETAILS, SUMMARY
 from ptbatch.workbook.stored import read_all
-from ptbatch.workbook.systems import headers_in, typical, written
+from ptbatch.workbook.systems import headers_in, sentence_in, typical, written
 from ptbatch.workbook.units import factor
 
 US = {
@@ -45,6 +45,19 @@ def in_si() -> dict:
             "; ".join(numbers) if len(numbers) > 1 else float(numbers[0])
         )
     return row
+
+
+@pytest.mark.parametrize(
+    ("si", "us"),
+    [
+        ("concrete crushing at x = 6096 mm under the load", "concrete crushing at x = 240 in under the load"),
+        ("beyond 4.4482216 kN, deflection 25.4 mm", "beyond 1 kip, deflection 1 in"),
+        ("at 99.6% of the stage; 3 mmm", "at 99.6% of the stage; 3 mmm"),
+    ],
+)
+def test_messages_are_in_the_units_of_the_results(si, us):
+    assert sentence_in(si, "US") == us
+    assert sentence_in(si, "SI") == si
 
 
 def table(path, name) -> list[dict]:
