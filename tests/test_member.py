@@ -8,6 +8,7 @@ import pytest
 
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Bar, Load, Member, MemberError
+from ptbatch.rules.plausible import WARNINGS as BUILT_RULES
 from ptbatch.validation import TABLES, member_faults
 from ptbatch.workbook.columns import MEMBERS
 
@@ -207,3 +208,18 @@ def test_tendon_stays_between_its_given_depths(profile):
     depth = ideal_profile(member).depth(np.linspace(0, member.total_length, 2001))
     assert min(member.dp) - 1e-9 <= depth.min()
     assert depth.max() <= max(member.dp) + 1e-9
+
+
+@pytest.mark.parametrize(
+    ("column", "value"),
+    [("fc", 5000), ("span", 12), ("b", 0.3), ("h", 24), ("fpu", 270), ("density", 150), ("set", 250)],
+)
+def test_a_value_in_another_unit_is_warned_of(column, value):
+    """psi under MPa, m and in under mm, ksi under MPa, pcf under kN/m3."""
+    values = {**SOUND, "w_live": 10.0, column: value}
+    found = [fault for built in BUILT_RULES for fault in built(values)]
+    assert [(fault.column, fault.cure) for fault in found] == [(column, "check the unit in the header")]
+
+
+def test_usual_values_are_not_warned_of():
+    assert Member(**SOUND, w_live=10).warnings == []

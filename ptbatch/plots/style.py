@@ -14,7 +14,7 @@ from ptbatch.workbook.systems import shown
 from ptbatch.workbook.units import parse_header
 
 RC: Any = {
-    **{"font.family": "DejaVu Sans", "font.size": 8.5, "mathtext.default": "regular"},
+    **{"font.family": "DejaVu Sans", "font.size": 8.5, "text.parse_math": False},
     **{"axes.titlesize": 9.5, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlepad": 7},
     **{"axes.labelsize": 8.5, "axes.linewidth": 0.7, "axes.edgecolor": "#555555", "axes.axisbelow": True},
     **{"axes.formatter.useoffset": False},

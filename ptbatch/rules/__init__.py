@@ -1,6 +1,6 @@
 """Rules between the values of a member, by subject: each a small function from values to faults."""
 
-from ptbatch.rules import loads, materials, section, supports, tendon, wobble
+from ptbatch.rules import loads, materials, plausible, section, supports, tendon, wobble
 from ptbatch.rules.fault import Rule
 
 RULES: tuple[Rule, ...] = (
@@ -11,4 +11,9 @@ RULES: tuple[Rule, ...] = (
     *wobble.RULES,
     *loads.RULES,
 )
-WARNINGS: tuple[Rule, ...] = (*supports.WARNINGS, *section.WARNINGS, *loads.WARNINGS)
+WARNINGS: tuple[Rule, ...] = (
+    *supports.WARNINGS,
+    *section.WARNINGS,
+    *loads.WARNINGS,
+    *plausible.WARNINGS,
+)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from datetime import date, time, timedelta
+from functools import partial
 from math import isfinite
 from numbers import Integral, Real
 from typing import Any
@@ -15,9 +16,13 @@ from openpyxl.worksheet.properties import PageSetupProperties
 
 from ptbatch.errors import WriteError
 from ptbatch.workbook.formats import number_format, width
+from ptbatch.workbook.markup import Styles, row_markup, takes_markup
 from ptbatch.workbook.read import LAST_ROW
 
 TEXT = "@"  # format of a cell that Excel makes no number or date of
+DATES = date | time | timedelta
+PLAIN = frozenset((float, int, bool, str, type(None)))  # what `row_markup` can write
+NOT_FINITE = "not a finite number"
 LONGEST_TEXT = 32_767  # of an Excel cell
 _BOLD = Font(name="Calibri", size=11, bold=True)
 _WRAPPED = Alignment(wrap_text=True, vertical="top")
@@ -54,6 +59,8 @@ class Page:
         sheet.row_dimensions[1].height = _TWO_LINES
         sheet.append([self._header(text, (notes or {}).get(text, "")) for text in headers])
         self._rows = 1
+        self._styles = [Styles(partial(self._cell, form=form), i) for i, form in enumerate(self._formats, 1)]
+        self._quick = takes_markup(sheet)
 
     @property
     def full(self) -> bool:
@@ -65,16 +72,18 @@ class Page:
         if self.full:
             raise FullSheetError(f"sheet {self._sheet.title} has {LAST_ROW} rows, more than Excel takes")
         self._rows += 1
-        self._sheet.append(
-            [self._cell(value, form) for value, form in zip(values, self._formats, strict=True)]
-        )
+        values = list(map(sayable, values))
+        if self._quick and PLAIN.issuperset(map(type, values)):
+            self._sheet.append((row_markup(values, self._styles, self._rows),))
+        else:
+            self._sheet.append(list(map(self._cell, values, self._formats)))
 
     def filtered(self) -> None:
         """Give the headers buttons that filter the rows; once all rows are there."""
         self._sheet.auto_filter.ref = f"A1:{get_column_letter(self._width)}{self._rows}"
 
     def _header(self, text: str, note: str) -> Any:
-        cell = self._cell(text, "General")
+        cell = self._cell(sayable(text), "General")
         cell.font, cell.alignment, cell.fill = _BOLD, _WRAPPED, _SHADED
         if note:
             lines = sum(1 + len(line) // _LETTERS for line in note.splitlines())
@@ -82,7 +91,6 @@ class Page:
         return cell
 
     def _cell(self, value: Any, form: str) -> Any:
-        value = sayable(value)
         cell = WriteOnlyCell(self._sheet, value)
         if isinstance(value, str):
             cell.data_type = "s"  # also where it begins like a formula
@@ -105,11 +113,13 @@ def on_one_page(sheet: Any, area: str) -> None:
 
 def sayable(value: Any) -> Any:
     """A value as it can stand in a cell or in JSON: finite, not too long, without control characters."""
-    if value is None or isinstance(value, bool | date | time | timedelta):
+    if type(value) is float:  # nearly all of them
+        return value if isfinite(value) else NOT_FINITE
+    if value is None or isinstance(value, bool | DATES):
         return value
     if isinstance(value, Integral):
         return int(value)
     if isinstance(value, Real):
-        return float(value) if isfinite(value) else "not a finite number"
+        return float(value) if isfinite(value) else NOT_FINITE
     text = ILLEGAL_CHARACTERS_RE.sub("", str(value))
     return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 4] + " ..."
