@@ -1,4 +1,5 @@
-"""Build the workbooks that are shipped: `python -m examples.build` after any change of a row or a column.
+"""Build the workbooks that are shipped, and the page of all columns in the documentation: `python -m
+examples.build` after any change of a row or a column.
 
 `examples/beams.xlsx` holds two members of an office and published ones; its notes tell the sources.
 `examples/paper.xlsx` holds the members of the paper's studies and those with closed forms,
@@ -11,6 +12,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from examples.columns_page import PAGE, columns_page
 from examples.paper import (
     FIGURE_HEADERS,
     PUBLISHED_HEADERS,
@@ -92,7 +94,7 @@ def sheet(name: str, headers: Sequence[str], rows: Iterable[Row]) -> Sheet:
 
 
 def build(root: Path = ROOT) -> list[Path]:
-    """Write the workbooks below a folder, in place of those that are there, and return their paths."""
+    """Write workbooks and page below a folder, in place of those that are there, and return their paths."""
     names = (EXAMPLE, PAPER, PUBLISHED, *TEMPLATES.values())
     example, paper, published, *templates = paths = [root / name for name in names]
     for path in paths:
@@ -108,7 +110,10 @@ def build(root: Path = ROOT) -> list[Path]:
         write_template(path, system)
     for path in paths:
         _date(path)
-    return paths
+    page = root / PAGE
+    page.parent.mkdir(parents=True, exist_ok=True)
+    page.write_text(columns_page(), "utf-8")
+    return [*paths, page]
 
 
 def _date(path: Path) -> None:
