@@ -56,6 +56,12 @@ class Batch:
         return bool(self.counts["invalid"] or self.counts["not converged"])
 
     @property
+    def checks_failed(self) -> bool:
+        """Whether a check by a standard fails."""
+        at = self.headers.index("checks")
+        return any(line[at] == "fail" for line in self.lines)
+
+    @property
     def interrupted(self) -> bool:
         """Whether rows were not reached."""
         return bool(self.counts[NOT_ANALYSED])

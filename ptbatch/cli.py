@@ -109,7 +109,9 @@ def run(
         _say(*closing_table(batch))
     if batch.interrupted:
         return INTERRUPTED
-    return INVALID_ROWS if batch.failed else OK
+    if batch.failed:
+        return INVALID_ROWS
+    return FAILED if batch.checks_failed else OK
 
 
 @cli.command(epilog=EPILOG)

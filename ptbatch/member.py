@@ -83,6 +83,8 @@ class Member:
     w_live: float | None  # N/mm
     P_live: float | None  # N
     live_spans: tuple[int, ...]  # 1 = left
+    standard: str
+    long_term_loss: float | None
     deflection_limit: float
     elements: int
     layers: int

@@ -12,7 +12,7 @@ from time import perf_counter
 from typing import Any
 
 from ptbatch.member import Member
-from ptbatch.workbook.results import CRACKS, CURVES, NOT_ANALYSED, SUMMARY, TENDON, Outcome
+from ptbatch.workbook.results import CHECKS, CRACKS, CURVES, NOT_ANALYSED, SUMMARY, TENDON, Outcome
 
 Outcomes = Callable[[Iterable[Member]], Iterator[Outcome]]
 AHEAD = 32  # members taken in advance, a worker: a slow one shall not let the others wait
@@ -66,13 +66,15 @@ def engine() -> Callable[[Member], Outcome]:
     What it needs is imported here, before any thread starts.
     """
     from ptbatch.analysis import analyse
-    from ptbatch.tables import crack_rows, curve_rows, summary_row, tendon_rows
+    from ptbatch.design.checks import checks
+    from ptbatch.tables import check_rows, crack_rows, curve_rows, summary_row, tendon_rows
 
     def run(member: Member) -> Outcome:
         start = perf_counter()
         try:
             response = analyse(member)
-            summary = {"time [ms]": 1e3 * (perf_counter() - start)} | summary_row(member, response)
+            time, found = 1e3 * (perf_counter() - start), checks(member, response)
+            summary = {"time [ms]": time} | summary_row(member, response, found)
             return Outcome(
                 response.status,
                 response.message,
@@ -80,6 +82,7 @@ def engine() -> Callable[[Member], Outcome]:
                 [_checked(row, TENDON) for row in tendon_rows(member, response)],
                 [_checked(row, CURVES) for row in curve_rows(member, response)],
                 [_checked(row, CRACKS) for row in crack_rows(member, response)],
+                [_checked(row, CHECKS) for row in check_rows(member, found)],
             )
         except Exception as error:
             return _crashed(error)

@@ -1,9 +1,11 @@
 """Rows of the result sheets from a Response. A value that does not exist is a text that says why."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
+from ptbatch.design.check import REVIEW, Check
+from ptbatch.design.checks import checks, governing, outcome
 from ptbatch.member import Member
 from ptbatch.response import ANCHORED, JACKED, PEAK, SET, STAGES, Event, Response, TendonState
 
@@ -11,8 +13,8 @@ Value = float | str
 Row = dict[str, Value]
 
 
-def summary_row(member: Member, response: Response) -> Row:
-    """The columns of `summary` after `message`, but for the time."""
+def summary_row(member: Member, response: Response, found: Sequence[Check] | None = None) -> Row:
+    """The columns of `summary` after `message`, but for the time. found: the checks, made here if None."""
     losses = response.losses
     row: Row = {
         "jacking_stress [MPa]": _anchor_stress(member, response, JACKED),
@@ -32,7 +34,18 @@ def summary_row(member: Member, response: Response) -> Row:
     row |= _capacity(response)
     row["residual_max"] = response.residual_max
     row["newton_iterations"] = response.newton_iterations
-    return row | _failure(response)
+    return row | _failure(response) | _checks(member, response, found)
+
+
+def _checks(member: Member, response: Response, found: Sequence[Check] | None) -> Row:
+    """The outcome of the checks, and the one that is used most."""
+    names = ("checks", "utilisation_max", "governing_check")
+    found = checks(member, response) if found is None else found
+    most = governing(found)
+    if most is None or most.utilisation is None:
+        asked = _not_reached(response) if member.standard != "none" else "no standard is asked for"
+        return dict.fromkeys(names, asked)
+    return dict(zip(names, (outcome(found), most.utilisation, most.name), strict=True))
 
 
 def _capacity(response: Response) -> Row:
@@ -188,3 +201,23 @@ def crack_rows(member: Member, response: Response) -> Iterator[Row]:
                 "crack_from [mm]": crack.top,
                 "crack_to [mm]": crack.bottom,
             }
+
+
+def check_rows(member: Member, found: Iterable[Check]) -> Iterator[Row]:
+    """Rows of `checks`: one a check, in the order of construction."""
+    for check in found:
+        compared = check.outcome != REVIEW or np.isfinite(check.limit)
+        yield {
+            "member": member.member,
+            "check": check.name,
+            "clause": check.clause,
+            "x [mm]": "all of it" if check.x is None else check.x,
+            "formula": check.formula,
+            "numbers": check.numbers,
+            "demand": check.demand if compared else "see reason",
+            "limit": check.limit if compared else "see reason",
+            "unit": check.unit,
+            "utilisation": "see reason" if check.utilisation is None else check.utilisation,
+            "outcome": check.outcome,
+            "reason": check.reason,
+        }

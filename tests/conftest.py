@@ -58,7 +58,7 @@ def engine(monkeypatch):
             status="not converged" if stuck else "ok", message="jacking: no equilibrium" if stuck else ""
         )
 
-    def summary_row(member, response):
+    def summary_row(member, response, found):
         value = "not reached: no equilibrium" if response.message else 1.25
         return {header: value for header in SUMMARY if header != "time [ms]"}
 
@@ -67,6 +67,7 @@ def engine(monkeypatch):
         "tables": {
             "summary_row": summary_row,
             "tendon_rows": lambda member, response: [dict.fromkeys(TENDON, 1.0) | {"stage": "jacked"}],
+            "check_rows": lambda member, found: [],
             "crack_rows": lambda member, response: [dict.fromkeys(CRACKS, 3.0) | {"stage": "peak"}],
             "curve_rows": lambda member, response: [dict.fromkeys(CURVES, 2.0) | {"event": "peak"}] * 2,
         },

@@ -59,6 +59,11 @@ def held_nodes(member: Member, x: Array) -> list[tuple[int, bool, bool, bool]]:
 
 def elastic_deflection(member: Member, x: Array, loads: Iterable[Load]) -> Array:
     """Deflection (nodes,), up positive, of a beam with EI = 1."""
+    return displacements(member, x, nodal_loads(x, loads))[:, 0]
+
+
+def displacements(member: Member, x: Array, forces: Array) -> Array:
+    """Deflection and rotation (nodes, 2) of a beam with EI = 1 under nodal forces and moments (nodes, 2)."""
     n = len(x)
     band = np.zeros((4, 2 * n))  # upper form of a matrix with three superdiagonals
     h = np.diff(x)
@@ -74,4 +79,4 @@ def elastic_deflection(member: Member, x: Array, loads: Iterable[Load]) -> Array
         band[3, 2 * node] += stiff
         if turns_not:
             band[3, 2 * node + 1] += stiff
-    return np.asarray(solveh_banded(band, nodal_loads(x, loads).ravel()))[::2]
+    return np.asarray(solveh_banded(band, forces.ravel())).reshape(n, 2)

@@ -6,6 +6,7 @@ from markupsafe import Markup
 
 from ptbatch.plots.missing import lack, missing
 from ptbatch.report.capacity import Event, at_peak, events, quality
+from ptbatch.report.checks import Line, checks
 from ptbatch.report.derivation import Step, derivation
 from ptbatch.report.figures import Picture, drawing, pictures, undrawn
 from ptbatch.report.given import Given, given
@@ -34,6 +35,7 @@ class Chapter:
     events: list[Event]
     at_peak: list[tuple[str, str, str]]
     quality: str
+    checks: list[Line]
     pictures: list[Picture]
     undrawn: list[str]
 
@@ -58,6 +60,7 @@ def chapter(stored: Stored, link: str, source: Source) -> Chapter:
         events(stored) if loaded else [],
         at_peak(stored),
         quality(stored),
+        checks(stored),
         list(pictures(stored, link)),
         undrawn(stored) if member else [],
     )

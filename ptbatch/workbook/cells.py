@@ -98,10 +98,15 @@ def _number_in(text: str, between: str) -> float:
 def _choice(column: Column, raw: Any) -> str:
     if not isinstance(raw, str):
         raise CellError(f"{_kind(raw)} is not one of the choices", likely(str(raw), column.choices))
-    word = re.sub(r"[\s_-]+", "-", plain(raw)).casefold()
-    if word not in column.choices:
-        raise CellError("is not one of the choices", likely(word, column.choices))
-    return word
+    chosen = {_word(choice): choice for choice in column.choices}.get(_word(raw))
+    if chosen is None:
+        raise CellError("is not one of the choices", likely(plain(raw), column.choices))
+    return chosen
+
+
+def _word(text: str) -> str:
+    """A choice however it is spaced and spelt."""
+    return re.sub(r"[\s_-]+", "-", plain(text)).casefold()
 
 
 def _yes_no(column: Column, raw: Any) -> bool:

@@ -266,6 +266,20 @@ MEMBERS = (
         default=Derived("all", ("span",), lambda span: tuple(range(1, len(span) + 1))),
     ),
     Column(
+        "standard",
+        "code that the member is checked by, beside the analysis",
+        "choice",
+        default="none",
+        choices=("none", "ACI 318-19", "EN 1992-1-1"),
+    ),
+    Column(
+        "long_term_loss",
+        "stress that creep, shrinkage and relaxation take off the tendon, as a lump sum, for the checks; the "
+        "analysis is without it",
+        quantity="stress",
+        limit="not negative",
+    ),
+    Column(
         "deflection_limit",
         "the analysis stops at this deflection at the latest",
         quantity="length",

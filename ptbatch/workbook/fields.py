@@ -6,7 +6,10 @@ from ptbatch.workbook.echo import TABLES as ECHO
 from ptbatch.workbook.parquet import Fields
 from ptbatch.workbook.results import DETAILS, HEAD, SUMMARY
 
-_TEXTS = {*HEAD, "failure", "stage", "event"}
+_TEXTS = {
+    *(*HEAD, "failure", "stage", "event", "checks", "governing_check"),
+    *("check", "clause", "formula", "numbers", "unit", "outcome", "reason"),
+}
 _COUNTS = {"step", "newton_iterations"}
 _OF_KIND = {"number": float, "integer": int}
 

@@ -13,6 +13,8 @@ _BY_NAME = {
     "load_factor": "0.000",
     "load_factor_peak": "0.000",
     "residual_max": "0.0E+00",
+    **dict.fromkeys(("utilisation", "utilisation_max"), "0.00"),
+    **dict.fromkeys(("demand", "limit"), "0.0"),
 }
 _WIDTHS = {
     **{"member": 26, "status": 14, "message": 70, "failure": 20, "event": 20, "stage": 10},
@@ -20,6 +22,7 @@ _WIDTHS = {
     **{"what is wrong": 60, "how to put it right": 60, "value": 30, "name": 24, "meaning": 90, "default": 36},
     **{"column": 20, "choices": 46, "limit": 16},
     **{"case": 26, "quantity": 46, "ours": 12, "theirs": 12, "tolerance": 14, "verdict": 16, "because": 60},
+    **{"check": 26, "clause": 26, "formula": 36, "numbers": 70, "reason": 50, "governing_check": 24},
     **{"source": 60, "class": 12, "not_reproducible": 40},
 }
 

@@ -24,7 +24,7 @@ from ptbatch.workbook.viewer import write_viewer
 from ptbatch.workbook.write import Book, unwritable
 
 ORDER = ("summary", "viewer", *DETAILS, "problems", *ECHO, "settings", "run", "legend", "places")
-ALWAYS = ("summary", *DETAILS, "problems", "members")
+ALWAYS = ("summary", "tendon", "curves", "cracks", "problems", "members")
 FILES = ("summary", *DETAILS, *ECHO)  # that Parquet can take
 CURE = "let --parquet FOLDER take the long tables; with --resume nothing is analysed again"
 
@@ -111,7 +111,9 @@ class Output:
                 if isinstance(table, Page):
                     table.filtered()
         page = self._book.page("legend", LEGEND)
-        for line in legend(self._headers):
+        for line in legend(
+            {name: headers for name, headers in self._headers.items() if name in self._tables}
+        ):
             page.add(line)
         if self._places.places:
             write_viewer(self._book, self._places, self._place("viewer"))

@@ -40,6 +40,9 @@ SUMMARY = (
     "failure_x [mm]",
     "failure_load [kN]",
     "failure_deflection [mm]",
+    "checks",
+    "utilisation_max",
+    "governing_check",
 )
 TENDON = ("member", "stage", "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]", "slip [mm]")
 CURVES = (
@@ -55,7 +58,22 @@ CURVES = (
     "event",
 )
 CRACKS = ("member", "stage", "step", "x [mm]", "crack_from [mm]", "crack_to [mm]")
-DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS}  # tables of many rows a member
+CHECKS = (
+    "member",
+    "check",
+    "clause",
+    "x [mm]",
+    "formula",
+    "numbers",
+    "demand",
+    "limit",
+    "unit",
+    "utilisation",
+    "outcome",
+    "reason",
+)
+# Tables of many rows a member
+DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS, "checks": CHECKS}
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
 NOT_ANALYSED = "not analysed"
@@ -63,8 +81,8 @@ NOT_ANALYSED = "not analysed"
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of one member: a summary and rows of the sheets `tendon`, `curves` and `cracks`, by the headers
-    above, or by those of another unit system."""
+    """Result of one member: a summary and rows of the sheets `tendon`, `curves`, `cracks` and `checks`, by
+    the headers above, or by those of another unit system."""
 
     status: str
     message: str
@@ -72,6 +90,7 @@ class Outcome:
     tendon: Sequence[Mapping[str, Any]] = ()
     curves: Sequence[Mapping[str, Any]] = ()
     cracks: Sequence[Mapping[str, Any]] = ()
+    checks: Sequence[Mapping[str, Any]] = ()
 
     @property
     def analysed(self) -> bool:

@@ -21,7 +21,7 @@ from ptbatch.workbook.settings import read_settings
 from ptbatch.workbook.systems import record_in
 
 BOUNDS = 8  # results may be that many times larger than an input
-TABLES = ("tendon", "curves", "cracks")
+TABLES = ("tendon", "curves", "cracks", "checks")
 
 Row = dict[str, Any]
 
@@ -47,7 +47,8 @@ class Table:
 @dataclass(frozen=True)
 class Stored:
     """Results of one member, in SI units. member is None where its row was invalid; tables are empty where
-    the analysis did not get that far. system: that of the workbook, in which they are to be shown."""
+    the analysis did not get that far. system: that of the workbook, in which they are to be shown; a row of
+    checks names its own unit."""
 
     summary: Row
     member: Member | None
@@ -55,6 +56,7 @@ class Stored:
     curves: Table
     cracks: Table
     system: System = "SI"
+    checks: Table = Table()
 
     @property
     def name(self) -> str:
@@ -115,8 +117,8 @@ def _stored(
     name = row["member"]
     if row.get("status") == "invalid":
         return Stored(row, None, Table(), Table(), Table(), system)
-    tendon, curves, cracks = (Table(tables[sheet].get(name, [])) for sheet in TABLES)
-    return Stored(row, members.get(str(name)), tendon, curves, cracks, system)
+    tendon, curves, cracks, checks = (Table(tables[sheet].get(name, [])) for sheet in TABLES)
+    return Stored(row, members.get(str(name)), tendon, curves, cracks, system, checks)
 
 
 def _read(

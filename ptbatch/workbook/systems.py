@@ -18,7 +18,7 @@ _SI = {us: si for si, us in _US.items()}
 _ELSEWHERE: Mapping[System, Mapping[str, str]] = {"US": _US, "SI": _SI}
 # What figures and reports use besides: units of the US, and of a product the number of them in one of SI
 _SHOWN = {"m": "ft", "mm2": "in2", "kN/m": "kip/ft", "kN/m3": "pcf", "1/m": "1/ft", "rad/m": "rad/ft"}
-_AMOUNT = re.compile(r"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) (mm|kN|MPa)\b")
+_AMOUNT = re.compile(r"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) (mm2|mm|kN m|kN|MPa)\b")
 _PRODUCTS = {"MPa m": ("ksi ft", conversion("MPa", "ksi") * conversion("m", "ft"))}
 
 
@@ -38,7 +38,16 @@ def headers_in(headers: Iterable[str], system: System) -> list[str]:
 def record_in(record: Mapping[str, Any], system: System) -> dict[str, Any]:
     """Values by header, in a system; texts and whole numbers stay."""
     converted = ((*written(header, system), value) for header, value in record.items())
-    return {header: times(value, factor) for header, factor, value in converted}
+    made = {header: times(value, factor) for header, factor, value in converted}
+    return made | _with_own_unit(record, system) if "unit" in record else made
+
+
+def _with_own_unit(record: Mapping[str, Any], system: System) -> dict[str, Any]:
+    """What a row of checks says in the unit that it names, or in words."""
+    unit, factor = shown(str(record["unit"] or ""), system)
+    numbers = {name: times(record[name], factor) for name in ("demand", "limit")}
+    texts = {name: sentence_in(str(record[name] or ""), system) for name in ("numbers", "reason")}
+    return {"unit": unit, **numbers, **texts}
 
 
 def times(value: Any, factor: float) -> Any:
@@ -50,9 +59,11 @@ def sentence_in(text: str, system: System) -> str:
     """A message of an analysis, which names quantities in SI units, in a system."""
     if system == "SI":
         return text
-    return _AMOUNT.sub(
-        lambda found: f"{float(found[1]) * shown(found[2], system)[1]:.4g} {_US[found[2]]}", text
-    )
+    return _AMOUNT.sub(lambda found: _amount(float(found[1]), *shown(found[2], system)), text)
+
+
+def _amount(value: float, unit: str, factor: float) -> str:
+    return f"{value * factor:.4g} {unit}"
 
 
 def typical(headers: Iterable[str]) -> System:

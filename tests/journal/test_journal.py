@@ -9,13 +9,13 @@ from ptbatch.journal.journal import Journal
 from ptbatch.journal.key import member_key
 from ptbatch.member import Member
 from ptbatch.runner import STOPPED, not_analysed
-from ptbatch.workbook.results import CRACKS, CURVES, SUMMARY, TENDON, Outcome
+from ptbatch.workbook.results import DETAILS, SUMMARY, Outcome
 
 NUMBERS = [0.1, 1 / 3, -0.0, 1e-300, float("inf"), 12345678.901234567, 7, "no crack", ""]
 
 
 def outcome(value=1.5) -> Outcome:
-    rows = [[dict.fromkeys(headers[1:], value)] * 2 for headers in (TENDON, CURVES, CRACKS)]
+    rows = [[dict.fromkeys(headers[1:], value)] * 2 for headers in DETAILS.values()]
     return Outcome("ok", "a message", dict.fromkeys(SUMMARY, value), *rows)
 
 

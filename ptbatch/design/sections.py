@@ -1,0 +1,100 @@
+"""Sections of a member as a check of bending needs them: seen from the compressed face."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ptbatch.design.flexure import Strip
+from ptbatch.design.moments import of_loads, secondary, stations
+from ptbatch.geometry.profile import ideal_profile
+from ptbatch.geometry.section import gross_section
+from ptbatch.member import Bar, Member
+from ptbatch.model.loading import has_service_value, live, self_weight, sustained
+from ptbatch.response import ANCHORED, Response
+
+Array = NDArray[np.float64]
+
+SAGGING, HOGGING = 1, -1
+
+
+class Moments(NamedTuple):
+    """Elastic moments [N mm] at stations x [mm]: of all dead load, of the live load at its service value
+    (zero where none was given), and secondary."""
+
+    x: Array
+    dead: Array
+    live: Array
+    secondary: Array
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What is checked: a member, its analysis, and the stress [MPa] that time takes off the tendon."""
+
+    member: Member
+    response: Response
+    time_loss: float
+
+    @property
+    def fse(self) -> float:
+        """Mean effective stress of the tendon: after anchoring, less what time takes [MPa]."""
+        return self.response.tendon[ANCHORED].mean - self.time_loss
+
+    def effective(self, x: float) -> float:
+        """The same at a place [MPa]."""
+        state = self.response.tendon[ANCHORED]
+        places = np.concatenate([[0.0], state.x, [self.member.total_length]])
+        stresses = np.concatenate([state.anchor_stress[:1], state.stress, state.anchor_stress[1:]])
+        return float(np.interp(x, places, stresses)) - self.time_loss
+
+    @property
+    def has_live(self) -> bool:
+        """Whether there is a live load to check for."""
+        return has_service_value(self.member)
+
+    @cached_property
+    def moments(self) -> Moments:
+        """Moments at supports, at the nodes of the elements and where loads begin."""
+        member = self.member
+        dead, on = [*self_weight(member), *sustained(member)], live(member)
+        x = stations(member, [*dead, *on], ())
+        force = np.array([self.effective(place) for place in x]) * member.Aps
+        primary = -force * (ideal_profile(member).depth(x) - gross_section(member).centroid)
+        service = of_loads(member, x, on) if self.has_live else np.zeros_like(x)
+        return Moments(x, of_loads(member, x, dead), service, secondary(member, x, primary))
+
+    def strips(self, sense: int) -> list[Strip]:
+        """Thickness and width from the compressed face on: the top where it sags."""
+        section = gross_section(self.member)
+        strips = list(zip(section.thickness.tolist(), section.width.tolist(), strict=True))
+        return strips if sense == SAGGING else strips[::-1]
+
+    def depth(self, depth: float, sense: int) -> float:
+        """Depth below the compressed face of what lies so deep below the top fibre [mm]."""
+        return depth if sense == SAGGING else self.member.h - depth
+
+    def tendon_depth(self, x: float, sense: int) -> float:
+        """Depth of the tendon below the compressed face [mm]."""
+        return self.depth(float(ideal_profile(self.member).depth(x)), sense)
+
+    def bars(self, x: float) -> list[Bar]:
+        """Bars at a place."""
+        member = self.member
+        own = zip(member.As + member.As_top, member.ds + member.ds_top, strict=True)
+        whole = [Bar(0.0, member.total_length, depth, area, member.fy) for area, depth in own if area > 0.0]
+        return [*whole, *(bar for bar in member.bars if bar.x_start <= x <= bar.x_end)]
+
+    def span_at(self, x: float) -> float:
+        """Length of the longest span that a place belongs to [mm]."""
+        ends = zip(self.member.support_x, self.member.support_x[1:], strict=False)
+        return max(b - a for a, b in ends if a - 1e-6 <= x <= b + 1e-6)
+
+
+def subject(member: Member, response: Response) -> Subject | None:
+    """What there is to check; None where the member was not anchored."""
+    if ANCHORED not in response.tendon:
+        return None
+    return Subject(member, response, member.long_term_loss or 0.0)
