@@ -41,7 +41,7 @@ def _line(row: dict[str, Any], words: Words) -> Line:
         limit,
         f"{used:.2f}" if isinstance(used, int | float) else "\u2013",
         str(row["outcome"]),
-        str(row["reason"] or ""),
+        str(row.get("reason") or ""),
     )
 
 

@@ -46,7 +46,7 @@ def _with_own_unit(record: Mapping[str, Any], system: System) -> dict[str, Any]:
     """What a row of checks says in the unit that it names, or in words."""
     unit, factor = shown(str(record["unit"] or ""), system)
     numbers = {name: times(record[name], factor) for name in ("demand", "limit")}
-    texts = {name: sentence_in(str(record[name] or ""), system) for name in ("numbers", "reason")}
+    texts = {name: sentence_in(str(record.get(name) or ""), system) for name in ("numbers", "reason")}
     return {"unit": unit, **numbers, **texts}
 
 

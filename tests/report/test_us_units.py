@@ -21,7 +21,7 @@ def us(tmp_path_factory):
     path = tmp_path_factory.mktemp("us") / "beams.xlsx"
     book = Workbook()
     book.remove(book.active)
-    row = SMALL | {"member": LONG, "live": "loads", "dp [mm]": None}
+    row = SMALL | {"member": LONG, "live": "loads", "dp [mm]": None, "standard": "ACI 318-19"}
     for name, rows in {"members": [row], **SHEETS}.items():
         sheet(book, name, rows)
     book.save(path)
@@ -34,6 +34,14 @@ def test_the_report_is_in_us_units(us, tmp_path):
     assert SI.findall(body) == []
     for unit in ("ksi", "in²", "kip", "kip ft", "ksi ft", "kip/ft", "pcf", "1/ft"):
         assert f" {unit}" in body or f"[{unit}]" in body
+
+
+def test_the_checks_have_a_section(us, tmp_path):
+    (stored,) = read_all(us)
+    page = write_report(us, (), tmp_path / "us.html").path.read_text("utf-8")
+    assert "Checks by the standard" in page
+    assert len(stored.checks) == page.count("ACI 318-19 ") > 3
+    assert "Mu &lt;= phi Mn" in page and "give long_term_loss" in page
 
 
 def test_figures_are_in_us_units(us):
