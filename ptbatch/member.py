@@ -85,6 +85,13 @@ class Member:
     live_spans: tuple[int, ...]  # 1 = left
     standard: str
     long_term_loss: float | None
+    RH: float | None  # %
+    V_S: float | None
+    age_stressing: float  # days
+    cement: str
+    relaxation: str
+    design_life: float  # years
+    live_sustained: float
     deflection_limit: float
     elements: int
     layers: int

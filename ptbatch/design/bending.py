@@ -10,7 +10,7 @@ from ptbatch.design.sections import HOGGING, SAGGING, Subject
 
 WORDS = {SAGGING: "sagging", HOGGING: "hogging"}
 CHECKED = 12  # every so many stations, and the supports
-NO_TIME = "without creep, shrinkage and relaxation of the tendon: give long_term_loss"
+NO_TIME = "without creep, shrinkage and relaxation of the tendon: give RH, or long_term_loss"
 NOTHING = 1e-9  # of the demand: round-off
 APART = 0.15  # of the code's strength: the analysis differs by more than that
 
@@ -72,7 +72,8 @@ def _check(
         reason = "no steel in tension there" if strength.design <= 0.0 else ""
         return _with(made, FAIL, reason)
     missing = [] if subject.has_live else ["no service live load is given"]
-    missing += [NO_TIME] if subject.member.long_term_loss is None else []
+    timely = subject.loss is not None or subject.member.long_term_loss is not None
+    missing += [] if timely else [NO_TIME]
     return _with(made, REVIEW, "; ".join(missing)) if missing else made
 
 

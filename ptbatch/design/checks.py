@@ -1,22 +1,47 @@
 """The checks of a member by the standard that its row names."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ptbatch.design.aci318.checks import checks as aci318
-from ptbatch.design.check import FAIL, INFO, PASS, REVIEW, Check
+from ptbatch.design.check import FAIL, INFO, PASS, REVIEW, Check, Value
 from ptbatch.design.ec2.checks import checks as ec2
-from ptbatch.design.sections import Subject, subject
+from ptbatch.design.sections import Subject
+from ptbatch.design.time_losses import time_loss
 from ptbatch.member import Member
-from ptbatch.response import Response
+from ptbatch.response import ANCHORED, Response
 
 STANDARDS: dict[str, Callable[[Subject], Iterable[Check]]] = {"ACI 318-19": aci318, "EN 1992-1-1": ec2}
+
+
+def subject(member: Member, response: Response) -> Subject | None:
+    """What there is to check, with the tendon's long-term loss: the lump sum given, or by the standard if RH
+    is given; None where the member was not anchored."""
+    if ANCHORED not in response.tendon:
+        return None
+    whole = Subject(member, response, 0.0)
+    if member.long_term_loss is not None:
+        return Subject(member, response, member.long_term_loss)
+    loss = time_loss(whole)
+    return Subject(member, response, loss.total, loss) if loss else whole
 
 
 def checks(member: Member, response: Response) -> list[Check]:
     """All checks; none where no standard is asked for, or where the member was not anchored."""
     make = STANDARDS.get(member.standard)
     about = make and subject(member, response)
-    return list(make(about)) if make and about else []
+    return [*_time(about), *make(about)] if make and about else []
+
+
+def _time(about: Subject) -> Iterator[Check]:
+    """The long-term loss and what it is made of; nothing is compared."""
+    loss = about.loss
+    if loss is None:
+        return
+    parts = (("creep", loss.creep), ("shrinkage", loss.shrinkage), ("relaxation", loss.relaxation))
+    values = tuple(Value(name, value, "MPa") for name, value in parts) + (Value("fse", about.fse, "MPa"),)
+    anchored = about.fse + loss.total
+    numbers = loss.total, anchored, "MPa", None, INFO
+    yield Check("long-term loss", loss.clause, loss.formula, values, *numbers)
 
 
 def outcome(found: Sequence[Check]) -> str:

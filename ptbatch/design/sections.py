@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.design.flexure import Strip
+from ptbatch.design.longterm import TimeLoss
 from ptbatch.design.moments import of_loads, secondary, stations
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
@@ -32,11 +33,13 @@ class Moments(NamedTuple):
 
 @dataclass(frozen=True)
 class Subject:
-    """What is checked: a member, its analysis, and the stress [MPa] that time takes off the tendon."""
+    """What is checked: a member, its analysis, the stress [MPa] that time takes off the tendon, and what that
+    is made of where it was not given."""
 
     member: Member
     response: Response
     time_loss: float
+    loss: TimeLoss | None = None
 
     @property
     def fse(self) -> float:
@@ -91,10 +94,3 @@ class Subject:
         """Length of the longest span that a place belongs to [mm]."""
         ends = zip(self.member.support_x, self.member.support_x[1:], strict=False)
         return max(b - a for a, b in ends if a - 1e-6 <= x <= b + 1e-6)
-
-
-def subject(member: Member, response: Response) -> Subject | None:
-    """What there is to check; None where the member was not anchored."""
-    if ANCHORED not in response.tendon:
-        return None
-    return Subject(member, response, member.long_term_loss or 0.0)

@@ -14,6 +14,8 @@ LIMITS: dict[str, tuple[Callable[[float], bool], str]] = {
     "positive": (lambda x: x > 0.0, "above zero"),
     "not negative": (lambda x: x >= 0.0, "zero or more"),
     "fraction": (lambda x: 0.0 < x < 1.0, "between 0 and 1"),
+    "0 to 1": (lambda x: 0.0 <= x <= 1.0, "0 to 1"),
+    "0 to 100": (lambda x: 0.0 <= x <= 100.0, "0 to 100"),
     "any": (lambda x: True, "a number"),
 }
 
@@ -31,6 +33,7 @@ UNITS: dict[str, tuple[str, str]] = {
     "friction per length": ("1/m", "1/ft"),
     "angle per length": ("rad/m", "rad/ft"),
     "share": ("-", "-"),
+    "percent": ("%", "%"),
 }
 
 

@@ -280,6 +280,25 @@ MEMBERS = (
         limit="not negative",
     ),
     Column(
+        "RH",
+        "relative humidity around the member; with it creep, shrinkage and relaxation are computed by the "
+        "standard (ACI: Zia et al.) where long_term_loss is blank",
+        quantity="percent",
+        limit="0 to 100",
+    ),
+    Column("V_S", "volume of the member over its drying surface; blank: of the section", quantity="length"),
+    Column(
+        "age_stressing",
+        "age of the concrete at stressing in days; Zia counts from the end of moist curing",
+        default=7.0,
+    ),
+    Column("cement", "class of the cement, EN 1992-1-1", "choice", default="n", choices=("s", "n", "r")),
+    Column("relaxation", "of the strand", "choice", default="low", choices=("low", "normal")),
+    Column("design_life", "years of creep and shrinkage, EN 1992-1-1", default=50.0),
+    Column(
+        "live_sustained", "share of the live load that always acts, for creep", limit="0 to 1", default=0.0
+    ),
+    Column(
         "deflection_limit",
         "the analysis stops at this deflection at the latest",
         quantity="length",

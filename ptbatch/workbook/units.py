@@ -25,6 +25,7 @@ QUANTITIES: dict[str, dict[str, float]] = {
     "line load": _LINE_LOADS,
     "moment": {"kN m": 1e6, "N mm": 1.0, "kip ft": 1e3 * LBF * FT, "kip in": 1e3 * LBF * IN},
     "share": {"-": 1.0, "%": 0.01},
+    "percent": {"%": 1.0},
     "force or line load": _FORCES | _LINE_LOADS,
     "stress": {
         **{"MPa": 1.0, "N/mm2": 1.0, "kPa": 1e-3, "GPa": 1e3, "kN/cm2": 10.0},

@@ -41,7 +41,7 @@ def test_the_checks_have_a_section(us, tmp_path):
     page = write_report(us, (), tmp_path / "us.html").path.read_text("utf-8")
     assert "Checks by the standard" in page
     assert len(stored.checks) == page.count("ACI 318-19 ") > 3
-    assert "Mu &lt;= phi Mn" in page and "give long_term_loss" in page
+    assert "Mu &lt;= phi Mn" in page and "give RH, or long_term_loss" in page
 
 
 def test_figures_are_in_us_units(us):
