@@ -7,6 +7,7 @@ from ptbatch.workbook.columns import MEMBERS
 from ptbatch.workbook.legend import MEANINGS
 from ptbatch.workbook.optional import OPTIONAL_SHEETS
 from ptbatch.workbook.results import DETAILS, HEAD, SUMMARY
+from ptbatch.workbook.site import SHEET, site_headers
 from ptbatch.workbook.systems import headers_in
 from ptbatch.workbook.units import QUANTITIES, parse_header
 
@@ -57,7 +58,8 @@ def _units() -> Iterator[str]:
 
 
 def _results() -> Iterator[str]:
-    for name, headers in {"summary": (*HEAD, *SUMMARY), **DETAILS}.items():
+    sheets = {"summary": (*HEAD, *SUMMARY), **DETAILS, SHEET: site_headers("SI")}
+    for name, headers in sheets.items():
         yield f"## Results: sheet `{name}`\n"
         pairs = zip(headers, headers_in(headers, "US"), strict=True)
         yield from _table(("column", "SI, US", "meaning"), (_meaning(name, *pair) for pair in pairs))

@@ -97,7 +97,8 @@ def _common(run: Run, before: int) -> dict[str, Any]:
         "has_service_value": has_service_value(setup.member),
     }
     if (row := last[JACKED]) is not None:
-        common["elongation_before"] = _elongation(run, row)
+        common["elongations"] = _elongations(run, row)
+        common["elongation_before"] = sum(common["elongations"])
     if last[SET] is not None:
         common["elongation_after"] = common["elongation_before"] - setup.member.set * sum(setup.live)
     if (jacked := last[JACKED]) is not None and (after := last[SET]) is not None:
@@ -155,13 +156,13 @@ def _between(rows: Array, row: float) -> Array:
     return rows[low] if share == 0.0 else (1.0 - share) * rows[low] + share * rows[low + 1]
 
 
-def _elongation(run: Run, row: int) -> float:
-    """What is measured at the live jacks: the way of the tendon's ends, and the stretch of the strand that
-    has come out on it."""
+def _elongations(run: Run, row: int) -> tuple[float, ...]:
+    """What is measured at each live jack: the way of the tendon's end, and the stretch of the strand that has
+    come out on it."""
     history, setup = run.rig.case.history, run.setup
     out = history.u[row][[0, -2]] - run.start.gap
     strain = history.T[row][[0, -1]] / (setup.member.Aps * setup.member.Ep)
-    return float((out * (1.0 + strain))[list(setup.live)].sum())
+    return tuple((out * (1.0 + strain))[list(setup.live)].tolist())
 
 
 def _set_length(run: Run, jacked: int, after: int) -> float:

@@ -91,7 +91,8 @@ class Response:
     the anchored state, the peak and the end), and so is an end that is the peak itself; `curve` is None
     before the service stage.
 
-    status: ok, warning or not converged. elongation_before and elongation_after in mm, summed over live ends;
+    status: ok, warning or not converged. elongations in mm, before the set at each live end, from the left;
+    elongation_before and elongation_after the sums over these ends;
     camber in mm, up positive.
     """
 
@@ -101,6 +102,7 @@ class Response:
     fpj: float
     losses: Losses
     tendon: dict[str, TendonState] = field(default_factory=dict)
+    elongations: tuple[float, ...] = ()
     elongation_before: float | None = None
     elongation_after: float | None = None
     set_length: float | None = None

@@ -12,7 +12,16 @@ from time import perf_counter
 from typing import Any
 
 from ptbatch.member import Member
-from ptbatch.workbook.results import CHECKS, CRACKS, CURVES, NOT_ANALYSED, SUMMARY, TENDON, Outcome
+from ptbatch.workbook.results import (
+    CHECKS,
+    CRACKS,
+    CURVES,
+    ELONGATION,
+    NOT_ANALYSED,
+    SUMMARY,
+    TENDON,
+    Outcome,
+)
 
 Outcomes = Callable[[Iterable[Member]], Iterator[Outcome]]
 AHEAD = 32  # members taken in advance, a worker: a slow one shall not let the others wait
@@ -67,7 +76,14 @@ def engine() -> Callable[[Member], Outcome]:
     """
     from ptbatch.analysis import analyse
     from ptbatch.design.checks import checks
-    from ptbatch.tables import check_rows, crack_rows, curve_rows, summary_row, tendon_rows
+    from ptbatch.tables import (
+        check_rows,
+        crack_rows,
+        curve_rows,
+        elongation_rows,
+        summary_row,
+        tendon_rows,
+    )
 
     def run(member: Member) -> Outcome:
         start = perf_counter()
@@ -83,6 +99,7 @@ def engine() -> Callable[[Member], Outcome]:
                 [_checked(row, CURVES) for row in curve_rows(member, response)],
                 [_checked(row, CRACKS) for row in crack_rows(member, response)],
                 [_checked(row, CHECKS) for row in check_rows(member, found)],
+                [_checked(row, ELONGATION) for row in elongation_rows(member, response)],
             )
         except Exception as error:
             return _crashed(error)

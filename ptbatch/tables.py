@@ -6,6 +6,7 @@ import numpy as np
 
 from ptbatch.design.check import REVIEW, Check
 from ptbatch.design.checks import checks, governing, outcome
+from ptbatch.design.elongation import elongations
 from ptbatch.member import Member
 from ptbatch.response import ANCHORED, JACKED, PEAK, SET, STAGES, Event, Response, TendonState
 
@@ -220,4 +221,20 @@ def check_rows(member: Member, found: Iterable[Check]) -> Iterator[Row]:
             "utilisation": "see reason" if check.utilisation is None else check.utilisation,
             "outcome": check.outcome,
             "reason": check.reason,
+        }
+
+
+def elongation_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `elongation`: one a live end."""
+    for one in elongations(member, response):
+        yield {
+            "member": member.member,
+            "end": one.end,
+            "jack_force [kN]": one.jack_force / 1e3,
+            "before_set [mm]": one.before,
+            "after_set [mm]": one.after,
+            "least [mm]": one.least,
+            "most [mm]": one.most,
+            "to_read": one.rounded,
+            "warning": one.warning,
         }

@@ -9,6 +9,7 @@ from ptbatch.workbook.results import DETAILS, HEAD, SUMMARY
 _TEXTS = {
     *(*HEAD, "failure", "stage", "event", "checks", "governing_check"),
     *("check", "clause", "formula", "numbers", "unit", "outcome", "reason"),
+    *("end", "to_read", "warning"),
 }
 _COUNTS = {"step", "newton_iterations"}
 _OF_KIND = {"number": float, "integer": int}

@@ -23,6 +23,7 @@ _WIDTHS = {
     **{"column": 20, "choices": 46, "limit": 16},
     **{"case": 26, "quantity": 46, "ours": 12, "theirs": 12, "tolerance": 14, "verdict": 16, "because": 60},
     **{"check": 26, "clause": 26, "formula": 36, "numbers": 70, "reason": 50, "governing_check": 24},
+    **{"to_read": 24, "warning": 40, "gauge": 12},
     **{"source": 60, "class": 12, "not_reproducible": 40},
 }
 

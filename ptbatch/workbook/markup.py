@@ -10,6 +10,8 @@ from xml.sax.saxutils import escape
 
 from openpyxl.utils import get_column_letter
 
+from ptbatch.workbook.stored_values import Formula
+
 
 class Markup(str):
     """A row element of a sheet."""
@@ -25,10 +27,12 @@ class Styles:
         )
 
     def cell(self, value: Any, row: int) -> str:
-        """A cell; the value is None, a number, a truth value or a text that `sayable` has let through."""
+        """A cell; value: None, a number, a truth value, a formula, or a text that `sayable` let through."""
         if value is None or value == "":
             return ""
         place = f'<c r="{self.letter}{row}"'
+        if isinstance(value, Formula):  # its value is a text
+            return f'{place}{self._number} t="str"><f>{escape(value.text[1:])}</f><v>{value.value}</v></c>'
         if isinstance(value, float):
             return f"{place}{self._number}><v>{value!r}</v></c>"
         if isinstance(value, bool):

@@ -16,8 +16,9 @@ from ptbatch.workbook.page import FullSheetError, Page
 from ptbatch.workbook.parquet import ParquetTable
 from ptbatch.workbook.places import Places
 from ptbatch.workbook.problems import Listed, Problem
-from ptbatch.workbook.results import DETAILS, PROBLEMS, Outcome, detail_lines, summary_headers
+from ptbatch.workbook.results import DETAILS, ELONGATION, PROBLEMS, Outcome, detail_lines, summary_headers
 from ptbatch.workbook.rows import Row
+from ptbatch.workbook.site import SHEET, site_headers, site_line
 from ptbatch.workbook.status import coloured
 from ptbatch.workbook.systems import headers_in
 from ptbatch.workbook.viewer import write_viewer
@@ -25,7 +26,7 @@ from ptbatch.workbook.write import Book, unwritable
 
 ORDER = ("summary", "viewer", *DETAILS, "problems", *ECHO, "settings", "run", "legend", "places")
 ALWAYS = ("summary", "tendon", "curves", "cracks", "problems", "members")
-FILES = ("summary", *DETAILS, *ECHO)  # that Parquet can take
+FILES = ("summary", *(name for name in DETAILS if name != SHEET), *ECHO)  # that Parquet can take
 CURE = "let --parquet FOLDER take the long tables; with --resume nothing is analysed again"
 
 
@@ -47,6 +48,7 @@ class Output:
         self._path, self._folder, self._system = path, folder, system
         self._headers = {"summary": summary_headers(inputs, system), "problems": list(PROBLEMS)}
         self._headers |= {name: headers_in(headers, system) for name, headers in DETAILS.items()}
+        self._headers |= {SHEET: site_headers(system)}
         self._headers |= {name: echo_headers(name, system) for name in ECHO}
         self._book = Book()
         self._tables: dict[str, list[Table]] = {}
@@ -75,7 +77,10 @@ class Output:
             if not self._folder:
                 self._places.add(dict(zip(self._headers["summary"], line, strict=True)), outcome)
             for name in DETAILS:
-                self._lines(name, detail_lines(row, outcome, name, self._headers[name]))
+                if name != SHEET:
+                    self._lines(name, detail_lines(row, outcome, name, self._headers[name]))
+            of_site = detail_lines(row, outcome, SHEET, self._headers[SHEET][: len(ELONGATION)])
+            self._lines(SHEET, map(site_line, of_site))
             self._add_problems(row.problems)
             if row.member:
                 for name in ECHO:

@@ -18,10 +18,11 @@ from ptbatch.errors import WriteError
 from ptbatch.workbook.formats import number_format, width
 from ptbatch.workbook.markup import Styles, row_markup, takes_markup
 from ptbatch.workbook.read import LAST_ROW
+from ptbatch.workbook.stored_values import Formula
 
 TEXT = "@"  # format of a cell that Excel makes no number or date of
 DATES = date | time | timedelta
-PLAIN = frozenset((float, int, bool, str, type(None)))  # what `row_markup` can write
+PLAIN = frozenset((float, int, bool, str, type(None), Formula))  # what `row_markup` can write
 NOT_FINITE = "not a finite number"
 LONGEST_TEXT = 32_767  # of an Excel cell
 _BOLD = Font(name="Calibri", size=11, bold=True)
@@ -72,7 +73,7 @@ class Page:
         if self.full:
             raise FullSheetError(f"sheet {self._sheet.title} has {LAST_ROW} rows, more than Excel takes")
         self._rows += 1
-        values = list(map(sayable, values))
+        values = [_in_row(sayable(value), self._rows) for value in values]
         if self._quick and PLAIN.issuperset(map(type, values)):
             self._sheet.append((row_markup(values, self._styles, self._rows),))
         else:
@@ -91,6 +92,10 @@ class Page:
         return cell
 
     def _cell(self, value: Any, form: str) -> Any:
+        if isinstance(value, Formula):
+            cell = WriteOnlyCell(self._sheet, value.text)
+            cell.number_format = form
+            return cell
         cell = WriteOnlyCell(self._sheet, value)
         if isinstance(value, str):
             cell.data_type = "s"  # also where it begins like a formula
@@ -101,6 +106,11 @@ class Page:
             cell.number_format = form
             cell._value = repr(value)  # openpyxl itself writes 16 digits, which may be one too few
         return cell
+
+
+def _in_row(value: Any, row: int) -> Any:
+    """A formula for that row; anything else as it is."""
+    return value._replace(text=value.text.format(row=row)) if isinstance(value, Formula) else value
 
 
 def on_one_page(sheet: Any, area: str) -> None:
@@ -115,7 +125,7 @@ def sayable(value: Any) -> Any:
     """A value as it can stand in a cell or in JSON: finite, not too long, without control characters."""
     if type(value) is float:  # nearly all of them
         return value if isfinite(value) else NOT_FINITE
-    if value is None or isinstance(value, bool | DATES):
+    if value is None or isinstance(value, bool | DATES | Formula):
         return value
     if isinstance(value, Integral):
         return int(value)

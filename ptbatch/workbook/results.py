@@ -72,8 +72,19 @@ CHECKS = (
     "outcome",
     "reason",
 )
+ELONGATION = (
+    "member",
+    "end",
+    "jack_force [kN]",
+    "before_set [mm]",
+    "after_set [mm]",
+    "least [mm]",
+    "most [mm]",
+    "to_read",
+    "warning",
+)
 # Tables of many rows a member
-DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS, "checks": CHECKS}
+DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS, "checks": CHECKS, "elongation": ELONGATION}
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
 NOT_ANALYSED = "not analysed"
@@ -81,8 +92,8 @@ NOT_ANALYSED = "not analysed"
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of one member: a summary and rows of the sheets `tendon`, `curves`, `cracks` and `checks`, by
-    the headers above, or by those of another unit system."""
+    """Result of one member: a summary and rows of the sheets in DETAILS, by the headers above, or by those of
+    another unit system."""
 
     status: str
     message: str
@@ -91,6 +102,7 @@ class Outcome:
     curves: Sequence[Mapping[str, Any]] = ()
     cracks: Sequence[Mapping[str, Any]] = ()
     checks: Sequence[Mapping[str, Any]] = ()
+    elongation: Sequence[Mapping[str, Any]] = ()
 
     @property
     def analysed(self) -> bool:

@@ -9,6 +9,7 @@ from ptbatch.batch import run_workbook
 from ptbatch.workbook.legend import MEANINGS, legend
 from ptbatch.workbook.places import PLACES, Places
 from ptbatch.workbook.results import CURVES, DETAILS, HEAD, PROBLEMS, SUMMARY, TENDON, Outcome
+from ptbatch.workbook.site import SHEET, site_headers
 from ptbatch.workbook.viewer import FIRST, write_viewer
 from ptbatch.workbook.write import Book
 
@@ -156,6 +157,7 @@ def test_no_viewer_of_nothing(book, beam, engine):
 
 def test_legend_knows_every_column():
     sheets = {"summary": (*HEAD, *SUMMARY), **DETAILS, "problems": PROBLEMS}
+    sheets[SHEET] = site_headers("SI")
     lines = list(legend(sheets))
     assert len(lines) == sum(map(len, sheets.values())) == sum(map(len, MEANINGS.values()))
     assert ["summary", "load_peak", "kN"] in [line[:3] for line in lines]
