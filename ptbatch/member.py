@@ -84,6 +84,7 @@ class Member:
     P_live: float | None  # N
     live_spans: tuple[int, ...]  # 1 = left
     standard: str
+    fci: float | None
     long_term_loss: float | None
     RH: float | None  # %
     V_S: float | None

@@ -18,6 +18,8 @@ from ptbatch.statics import node_values, section_moments
 Array = NDArray[np.float64]
 
 SLIGHT = 1e-3  # of the force: less friction than this along the whole tendon holds no set back
+LIMIT = "deflection limit"
+BENT_BEFORE = "the deflection limit is passed under the sustained load: no live load can be carried"
 STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCHORING}
 
 
@@ -45,7 +47,10 @@ def finished(run: Run, ended: int) -> Response:
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
     service = Service(run.rig.case.model, history.u[rows], history.T[rows], history.strain[rows], curve)
     events, failure = find_events(service)
-    if failure and (before := _before_live(run, events, failure)):
+    before = _before_live(run, events, failure) if failure else ""
+    if complete and not failure and not _live_rows(run):
+        before, failure = BENT_BEFORE, LIMIT
+    if before:
         common |= _states(run, rows, common["tendon"])
         events = tuple(event for event in events if event.name != "peak")
         return Response(
@@ -66,7 +71,7 @@ def finished(run: Run, ended: int) -> Response:
         **common,
         curve=curve,
         events=events,
-        failure=failure or "deflection limit",
+        failure=failure or LIMIT,
         status="ok",
         message=note,
     )
@@ -75,11 +80,16 @@ def finished(run: Run, ended: int) -> Response:
 def _before_live(run: Run, events: tuple[Event, ...], failure: str) -> str:
     """What to say of a member that failed before any live load came on; empty if it did not."""
     event = next(event for event in events if event.name == failure)
-    loaded = int(np.count_nonzero(run.rig.case.history.stage[_service_rows(run)] == stages.LIVE))
+    loaded = _live_rows(run)
     if loaded and event.step > len(_service_rows(run)) - loaded - 1:
         return ""
     under = "stressing" if event.step == 0.0 else "the sustained load"
     return f"{failure} at x = {event.place:.0f} mm under {under}: no live load can be carried"
+
+
+def _live_rows(run: Run) -> int:
+    """Steps under live load."""
+    return int(np.count_nonzero(run.rig.case.history.stage[_service_rows(run)] == stages.LIVE))
 
 
 def _common(run: Run, before: int) -> dict[str, Any]:

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from ptbatch import stages
 from ptbatch.analysis import analyse
+from ptbatch.core.ramp import NO_EQUILIBRIUM
 from ptbatch.member import Member
 from ptbatch.tables import summary_row
 
@@ -78,15 +80,27 @@ def test_section_moment_is_that_of_statics():
     assert moment == pytest.approx(total * 12000.0 / 8.0 * (1.0 - (x / 6000.0) ** 2), rel=1e-3)
 
 
-def test_a_member_without_equilibrium_under_its_dead_load_has_no_capacity():
-    """Of materials that never reach a limit strain, so that nothing but equilibrium can fail."""
-    endless = dict(crushing_strain=0.1, epu=0.5, esu=0.5)
-    response = analyse(Member(**BEAM | endless | {"w_dead": 500}))
+def test_a_member_without_equilibrium_under_its_dead_load_has_no_capacity(monkeypatch):
+    ramp = stages.ramp
+
+    def none_under_sustained_load(handle, stage, *more):
+        return (NO_EQUILIBRIUM, 0.25) if stage == stages.SUSTAINED else ramp(handle, stage, *more)
+
+    monkeypatch.setattr(stages, "ramp", none_under_sustained_load)
+    response = analyse(Member(**BEAM))
     row = summary_row(response.member, response)
     assert response.status == "not converged"
-    assert "sustained load: no equilibrium was found beyond" in response.message
+    assert "sustained load: no equilibrium was found beyond 25.0%" in response.message
     assert row["load_peak [kN]"] == row["failure"] == "not converged: see message"
     assert isinstance(row["stress_anchored_mean [MPa]"], float)
+
+
+def test_a_member_that_bends_too_far_under_its_dead_load_carries_no_live_load():
+    response = analyse(Member(**BEAM | {"w_dead": 15, "deflection_limit": 10}))
+    row = summary_row(response.member, response)
+    assert (response.status, row["failure"]) == ("warning", "deflection limit")
+    assert "the deflection limit is passed under the sustained load" in response.message
+    assert row["load_peak [kN]"] == row["load_cracking [kN]"] == "none: see message"
 
 
 def test_a_tendon_that_breaks_is_a_failure():

@@ -1,16 +1,16 @@
 """The check of bending, whatever the code: factored moments along the member against its strengths."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most
-from ptbatch.design.sections import HOGGING, SAGGING, Subject
+from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most, unless
+from ptbatch.design.sections import HOGGING, NO_TIME, SAGGING, Subject
 
 WORDS = {SAGGING: "sagging", HOGGING: "hogging"}
 CHECKED = 12  # every so many stations, and the supports
-NO_TIME = "without creep, shrinkage and relaxation of the tendon: give RH, or long_term_loss"
 NOTHING = 1e-9  # of the demand: round-off
 APART = 0.15  # of the code's strength: the analysis differs by more than that
 
@@ -72,13 +72,12 @@ def _check(
         reason = "no steel in tension there" if strength.design <= 0.0 else ""
         return _with(made, FAIL, reason)
     missing = [] if subject.has_live else ["no service live load is given"]
-    timely = subject.loss is not None or subject.member.long_term_loss is not None
-    missing += [] if timely else [NO_TIME]
-    return _with(made, REVIEW, "; ".join(missing)) if missing else made
+    missing += [] if subject.timely else [NO_TIME]
+    return unless(made, "; ".join(missing))
 
 
 def _with(check: Check, outcome: str, reason: str) -> Check:
-    return Check(**{**vars(check), "outcome": outcome, "reason": reason})
+    return replace(check, outcome=outcome, reason=reason)
 
 
 def two_views(subject: Subject, clause: str, resists: Resists) -> list[Check]:

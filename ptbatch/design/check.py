@@ -1,6 +1,6 @@
 """One check of a code: what is asked, by which clause, with which numbers, and how it came out."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 PASS, FAIL, REVIEW, INFO = "pass", "fail", "review", "info"
@@ -68,3 +68,8 @@ def review(
     """A check that the clause does not allow to be made: why, in place of an outcome."""
     nan = float("nan")
     return Check(name, clause, "", values, nan, nan, "", None, REVIEW, x, reason)
+
+
+def unless(check: Check, doubt: str) -> Check:
+    """A check that is passed under a doubt is to be reviewed."""
+    return replace(check, outcome=REVIEW, reason=doubt) if doubt and check.outcome == PASS else check

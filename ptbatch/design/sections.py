@@ -19,13 +19,15 @@ from ptbatch.response import ANCHORED, Response
 Array = NDArray[np.float64]
 
 SAGGING, HOGGING = 1, -1
+NO_TIME = "without creep, shrinkage and relaxation of the tendon: give RH, or long_term_loss"
 
 
 class Moments(NamedTuple):
-    """Elastic moments [N mm] at stations x [mm]: of all dead load, of the live load at its service value
-    (zero where none was given), and secondary."""
+    """Elastic moments [N mm] at stations x [mm]: of the self-weight, of all dead load, of the live load at
+    its service value (zero where none was given), and secondary."""
 
     x: Array
+    weight: Array
     dead: Array
     live: Array
     secondary: Array
@@ -46,6 +48,11 @@ class Subject:
         """Mean effective stress of the tendon: after anchoring, less what time takes [MPa]."""
         return self.response.tendon[ANCHORED].mean - self.time_loss
 
+    @property
+    def timely(self) -> bool:
+        """Whether anything is known of what time takes."""
+        return self.loss is not None or self.member.long_term_loss is not None
+
     def effective(self, x: float) -> float:
         """The same at a place [MPa]."""
         state = self.response.tendon[ANCHORED]
@@ -62,12 +69,14 @@ class Subject:
     def moments(self) -> Moments:
         """Moments at supports, at the nodes of the elements and where loads begin."""
         member = self.member
-        dead, on = [*self_weight(member), *sustained(member)], live(member)
+        weight, on = self_weight(member), live(member)
+        dead = [*weight, *sustained(member)]
         x = stations(member, [*dead, *on], ())
         force = np.array([self.effective(place) for place in x]) * member.Aps
         primary = -force * (ideal_profile(member).depth(x) - gross_section(member).centroid)
         service = of_loads(member, x, on) if self.has_live else np.zeros_like(x)
-        return Moments(x, of_loads(member, x, dead), service, secondary(member, x, primary))
+        alone, all_dead = of_loads(member, x, weight), of_loads(member, x, dead)
+        return Moments(x, alone, all_dead, service, secondary(member, x, primary))
 
     def strips(self, sense: int) -> list[Strip]:
         """Thickness and width from the compressed face on: the top where it sags."""

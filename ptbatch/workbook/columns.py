@@ -272,6 +272,7 @@ MEMBERS = (
         default="none",
         choices=("none", "ACI 318-19", "EN 1992-1-1"),
     ),
+    Column("fci", "strength of the concrete at stressing; blank: transfer is not checked", quantity="stress"),
     Column(
         "long_term_loss",
         "stress that creep, shrinkage and relaxation take off the tendon, as a lump sum, for the checks; the "

@@ -151,3 +151,40 @@ def test_sheet_and_exit_code(book, capsys):
 def _rows(path):
     headers, *lines = load_workbook(path)["checks"].iter_rows(values_only=True)
     return [(headers, line) for line in lines]
+
+
+def test_stresses_at_transfer_and_in_service():
+    """Closed form: P/A +- M/S at midspan, without friction."""
+    plain = dict(mu=0, K=0, set=0, fci=28)
+    _, response, found = made(**plain)
+    area, modulus = 300 * 600, 300 * 600**2 / 6
+    anchored = response.tendon[ANCHORED].mean * 592
+    weight, dead, live = (w * 9000**2 / 8 for w in (4.32, 9.32, 10.0))
+    bottom = anchored / area + (anchored * 200 - weight) / modulus
+    check = found["transfer compression"]
+    assert check.demand == pytest.approx(bottom, rel=2e-3)  # the force varies by what the camber takes
+    assert check.limit == pytest.approx(0.60 * 28)
+    P = (response.tendon[ANCHORED].mean - 120.0) * 592
+    tension = -P / area + (dead + live - P * 200) / modulus
+    assert found["class"].demand == pytest.approx(tension, abs=0.02)
+    top = P / area + (dead + live - P * 200) / modulus
+    assert found["service compression, total"].demand == pytest.approx(top, rel=5e-3)
+    assert "transfer compression" not in made()[2]
+
+
+def test_ends_of_a_simple_member_may_bear_more():
+    found = made(fci=28)[2]
+    assert found["transfer compression, ends"].limit == pytest.approx(0.70 * 28)
+    assert "transfer compression, ends" not in made(TWO, fci=28)[2]
+
+
+def test_a_cracked_class_is_to_be_reviewed():
+    found = made(w_live=25)[2]["class"]
+    assert (found.outcome, found.reason[:7]) == ("review", "class C")
+
+
+def test_service_stresses_by_en():
+    found = made(standard="EN 1992-1-1")[2]
+    assert found["compression, quasi-permanent"].limit == pytest.approx(0.45 * 40)
+    assert found["tendon after losses"].limit == pytest.approx(0.75 * 1860)
+    assert found["compression, characteristic"].outcome == "pass"

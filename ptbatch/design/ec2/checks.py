@@ -1,14 +1,16 @@
 """The checks of EN 1992-1-1 that are made of a member; fpy stands for fp0.1k, fc for fck, fy for fyk."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from ptbatch.design.bending import Resistance, bending, two_views
-from ptbatch.design.check import Check, Value, at_least, at_most
+from ptbatch.design.check import FAIL, REVIEW, Check, Value, at_least, at_most, unless
 from ptbatch.design.ec2 import flexure, stress_limits
 from ptbatch.design.flexure import Steel, constant, elastic_plastic, strength
-from ptbatch.design.sections import SAGGING, Subject
+from ptbatch.design.sections import NO_TIME, SAGGING, Subject
+from ptbatch.design.stresses import fibres
 from ptbatch.geometry.section import gross_section
 from ptbatch.response import ANCHORED, JACKED
 
@@ -19,6 +21,7 @@ GAMMA_S = 1.15
 def checks(subject: Subject) -> Iterator[Check]:
     """Every check, in the order of construction."""
     yield from _stressing(subject)
+    yield from _service(subject)
     yield from _least_steel(subject)
     yield from bending(subject, "EN 1992-1-1 6.1", "MEd <= MRd", COMBINATIONS, resistance)
     yield from two_views(subject, "EN 1992-1-1 6.1", resistance)
@@ -33,6 +36,25 @@ def _stressing(subject: Subject) -> Iterator[Check]:
     most, limit = tendon[ANCHORED].most, stress_limits.after_transfer(member.fpu, member.fpy)
     formula = "sigma,pm0 <= min(0.75 fpk, 0.85 fp0.1k)"
     yield at_most("stress after transfer", "EN 1992-1-1 5.10.3", formula, steel, most, limit, "MPa")
+
+
+def _service(subject: Subject) -> Iterator[Check]:
+    """Stresses after all losses, of the uncracked concrete and of the tendon."""
+    member, moments = subject.member, subject.moments
+    dead = moments.dead + moments.secondary
+    strength = (Value("fck", member.fc, "MPa"),)
+    parts = (("quasi-permanent", member.live_sustained, 0.45, "3"), ("characteristic", 1.0, 0.60, "2"))
+    doubt = "" if subject.timely else NO_TIME
+    for name, share, factor, number in parts:
+        stress, x = fibres(subject, dead + share * moments.live, subject.time_loss).compression
+        clause, formula = f"EN 1992-1-1 7.2 ({number})", f"sigma,c <= {factor:.2f} fck"
+        limit = factor * member.fc
+        made = at_most(f"compression, {name}", clause, formula, strength, stress, limit, "MPa", x)
+        more = "creep is not linear any more" if factor < 0.5 else "longitudinal cracks in XD, XF, XS"
+        yield replace(made, outcome=REVIEW, reason=more) if made.outcome == FAIL else unless(made, doubt)
+    most, limit = subject.response.tendon[ANCHORED].most - subject.time_loss, 0.75 * member.fpu
+    formula, steel = "sigma,p <= 0.75 fpk", (Value("fpk", member.fpu, "MPa"),)
+    yield at_most("tendon after losses", "EN 1992-1-1 7.2 (5)", formula, steel, most, limit, "MPa")
 
 
 def _least_steel(subject: Subject) -> Iterator[Check]:

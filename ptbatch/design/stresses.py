@@ -1,0 +1,48 @@
+"""Stresses of the uncracked concrete at the extreme fibres along a member."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ptbatch.design.sections import Subject
+from ptbatch.geometry.profile import ideal_profile
+from ptbatch.geometry.section import gross_section
+
+Array = NDArray[np.float64]
+
+
+class Fibres(NamedTuple):
+    """Stresses [MPa] at stations x [mm], tension positive."""
+
+    x: Array
+    top: Array
+    bottom: Array
+
+    @property
+    def compression(self) -> tuple[float, float]:
+        """The largest compression, and where."""
+        least = np.minimum(self.top, self.bottom)
+        return float(-least.min()), float(self.x[int(least.argmin())])
+
+    @property
+    def tension(self) -> tuple[float, float]:
+        """The largest tension (below zero where there is none), and where."""
+        most = np.maximum(self.top, self.bottom)
+        return float(most.max()), float(self.x[int(most.argmax())])
+
+    def within(self, inside: NDArray[np.bool_]) -> "Fibres":
+        """A part of the stations."""
+        return Fibres(self.x[inside], self.top[inside], self.bottom[inside])
+
+
+def fibres(subject: Subject, moments: Array, time_loss: float) -> Fibres:
+    """P/A + M/S with external moments (stations,) [N mm], secondary ones included, and the prestress after a
+    loss [MPa]."""
+    x, section = subject.moments.x, gross_section(subject.member)
+    anchored = np.array([subject.effective(place) for place in x]) + subject.time_loss
+    P = (anchored - time_loss) * subject.member.Aps
+    e = ideal_profile(subject.member).depth(x) - section.centroid
+    inner, mean = moments - P * e, -P / section.area
+    up, down = section.centroid, section.h - section.centroid
+    return Fibres(x, mean - inner * up / section.inertia, mean + inner * down / section.inertia)
