@@ -16,7 +16,7 @@ from ptbatch.workbook.results import DETAILS, SUMMARY, Outcome
 
 BEAM = {"member": "", "span": 12000, "b": 300, "h": 600, "fc": 40, "Aps": 592, "dp": "300; 500; 300"}
 LIGHT = BEAM | {"fpj": 1395, "elements": 4, "layers": 8}
-ROWS = {"tendon": 28, "curves": 66, "cracks": 4}  # of such a member
+ROWS = {"tendon": 28, "curves": 66, "cracks": 4, "checks": 0, "elongation": 1}  # of such a member
 
 
 def write(path: Path, count: int) -> None:
