@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from ptbatch.design.check import REVIEW, Check
+from ptbatch.design.check import Check
 from ptbatch.design.checks import checks, governing, outcome
 from ptbatch.design.elongation import elongations
 from ptbatch.member import Member
@@ -207,7 +207,6 @@ def crack_rows(member: Member, response: Response) -> Iterator[Row]:
 def check_rows(member: Member, found: Iterable[Check]) -> Iterator[Row]:
     """Rows of `checks`: one a check, in the order of construction."""
     for check in found:
-        compared = check.outcome != REVIEW or np.isfinite(check.limit)
         yield {
             "member": member.member,
             "check": check.name,
@@ -215,10 +214,10 @@ def check_rows(member: Member, found: Iterable[Check]) -> Iterator[Row]:
             "x [mm]": "all of it" if check.x is None else check.x,
             "formula": check.formula,
             "numbers": check.numbers,
-            "demand": check.demand if compared else "see reason",
-            "limit": check.limit if compared else "see reason",
+            "demand": check.demand if np.isfinite(check.demand) else "see reason",
+            "limit": check.limit if np.isfinite(check.limit) else "none",
             "unit": check.unit,
-            "utilisation": "see reason" if check.utilisation is None else check.utilisation,
+            "utilisation": "not compared" if check.utilisation is None else check.utilisation,
             "outcome": check.outcome,
             "reason": check.reason,
         }

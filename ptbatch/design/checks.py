@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ptbatch.design.aci318.checks import checks as aci318
+from ptbatch.design.balance import about_prestress
 from ptbatch.design.check import FAIL, INFO, PASS, REVIEW, Check, Value
 from ptbatch.design.ec2.checks import checks as ec2
 from ptbatch.design.sections import Subject
@@ -29,7 +30,7 @@ def checks(member: Member, response: Response) -> list[Check]:
     """All checks; none where no standard is asked for, or where the member was not anchored."""
     make = STANDARDS.get(member.standard)
     about = make and subject(member, response)
-    return [*_time(about), *make(about)] if make and about else []
+    return [*_time(about), *make(about), *about_prestress(about)] if make and about else []
 
 
 def _time(about: Subject) -> Iterator[Check]:

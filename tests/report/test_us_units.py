@@ -40,7 +40,7 @@ def test_the_checks_have_a_section(us, tmp_path):
     (stored,) = read_all(us)
     page = write_report(us, (), tmp_path / "us.html").path.read_text("utf-8")
     assert "Checks by the standard" in page
-    assert len(stored.checks) == page.count("ACI 318-19 ") > 3
+    assert len(stored.checks) > page.count("ACI 318-19 ") > 3  # and some for information
     assert "Mu &lt;= phi Mn" in page and "give RH, or long_term_loss" in page
 
 
