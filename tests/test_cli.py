@@ -56,7 +56,7 @@ def test_nothing_to_read_or_write(tmp_path, book, beam, engine, capsys):
 def test_a_read_only_folder_is_told_before_the_work(book, beam, engine, monkeypatch, capsys):
     """Whoever runs the tests may be allowed everything, so that the system's answer is given here."""
     source = book(beam)
-    monkeypatch.setattr("ptbatch.batch.os.access", lambda path, mode: False)
+    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK)
     assert exit_code(["run", str(source)]) == 4
     assert "the folder is read-only; give another one with -o" in capsys.readouterr().err
     assert sorted(path.name for path in source.parent.iterdir()) == ["beams.xlsx"]
