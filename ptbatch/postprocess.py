@@ -172,7 +172,19 @@ def _elongations(run: Run, row: int) -> tuple[float, ...]:
     history, setup = run.rig.case.history, run.setup
     out = history.u[row][[0, -2]] - run.start.gap
     strain = history.T[row][[0, -1]] / (setup.member.Aps * setup.member.Ep)
+    if all(setup.live):
+        out = out + np.array([1.0, -1.0]) * _slide(run, row)
     return tuple((out * (1.0 + strain))[list(setup.live)].tolist())
+
+
+def _slide(run: Run, row: int) -> float:
+    """How far a tendon with two live ends has moved to the right where both pull alike [mm]: friction lets it
+    lie anywhere within half a node's spacing, but neither jack sees that as stretch."""
+    friction, state = run.losses.friction, _tendon_state(run, row)
+    still = min(friction.stations, key=lambda x: abs(friction.exponent(x, "left") - friction.total / 2.0))
+    if friction.total == 0.0:  # then they pull alike everywhere
+        still = 0.5 * run.setup.member.total_length
+    return float(np.interp(still, state.x, state.slip))
 
 
 def _set_length(run: Run, jacked: int, after: int) -> float:
