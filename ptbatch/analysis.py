@@ -1,17 +1,16 @@
 """The analysis of one member: jacking, wedge set, anchoring, service."""
 
-import numpy as np
-
 from ptbatch import stages
 from ptbatch.core.case import Case, Tolerance
 from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
 from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
+from ptbatch.design.time_losses import time_loss
 from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.member import Member
 from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
-from ptbatch.postprocess import finished, stopped
+from ptbatch.postprocess import anchored, finished, stopped
 from ptbatch.response import Response
 from ptbatch.run import Run
 
@@ -21,7 +20,7 @@ BUDGET = 30_000  # iterations of one member at most
 
 
 def analyse(member: Member, *, refine: int = 1) -> Response:
-    """Analyse a member through all four stages.
+    """Analyse a member through all its stages.
 
     refine: divide the steps of the live load by this. A member that does not converge raises nothing: see
     Response.status.
@@ -32,10 +31,11 @@ def analyse(member: Member, *, refine: int = 1) -> Response:
         stress(run)
         if member.fpe is not None:
             run = stress_to_mean(run, member.fpe)
-        ended = serve(run, refine)
+        loss = time_loss(anchored(run))
+        ended = serve(run, loss.total if loss else 0.0, refine)
     except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none))
-    return finished(run, ended)
+    return finished(run, ended, loss)
 
 
 def prepare(setup: Setup, fpj: float) -> Run:
@@ -87,7 +87,7 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
     as `wanted`."""
     before = 0.0, 0.0  # no jacking stress, no mean stress
     for _ in range(8):
-        mean = mean_stress(run)
+        mean = run.rig.mean_stress
         if abs(mean - wanted) <= FPE_TOLERANCE * wanted:
             break
         fpj = run.fpj + (wanted - mean) * (run.fpj - before[0]) / (mean - before[1])
@@ -101,13 +101,9 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
     return run
 
 
-def mean_stress(run: Run) -> float:
-    """Mean tendon stress over its length in the committed state [MPa]."""
-    return float(np.average(run.rig.case.work.T, weights=run.start.rest) / run.setup.member.Aps)
-
-
-def serve(run: Run, refine: int) -> int:
-    """Stage 4; how it ended. A member that fails under its sustained load gets no live load."""
+def serve(run: Run, loss: float, refine: int) -> int:
+    """Sustained load, long-term losses [MPa], live load; how it ended. A member that fails before
+    the live load gets none."""
     setup, member = run.setup, run.setup.member
     bonded = bool(member.bond == "bonded")
     dof = 5 * setup.mesh.control + 3
@@ -121,6 +117,8 @@ def serve(run: Run, refine: int) -> int:
     )
     full = setup.self_weight + setup.sustained
     stages.sustain(run.rig, (setup.self_weight, full), bonded)
+    if loss and not run.rig.failed:
+        stages.lose(run.rig, full, loss, bonded)
     if run.rig.failed:
         return DONE
     return stages.load_to_failure(run.rig, full, setup.pattern, control, bonded)

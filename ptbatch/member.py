@@ -89,6 +89,19 @@ class Member:
     RH: float | None  # %
     V_S: float | None
     age_stressing: float  # days
+    Av: float | None
+    s: float | None
+    fyt: float
+    service_class: str
+    exposure: str
+    cover: float | None
+    duct: float | None
+    bar_diameter: float
+    live_frequent: float
+    deflection_live: float
+    deflection_total: float
+    factor_dead: float | None
+    factor_live: float | None
     cement: str
     relaxation: str
     design_life: float  # years

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 from ptbatch import stages
 from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
+from ptbatch.design.longterm import TimeLoss
 from ptbatch.events import Recorded, Service, find_events, nearest_to_failure
 from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
-from ptbatch.response import ANCHORED, END, JACKED, PEAK, SET, Curve, Event, Response, TendonState
+from ptbatch.response import ANCHORED, END, JACKED, PEAK, SERVICE, SET, Curve, Event, Response, TendonState
 from ptbatch.run import Run
 from ptbatch.statics import node_values, section_moments
 
@@ -20,7 +21,12 @@ Array = NDArray[np.float64]
 SLIGHT = 1e-3  # of the force: less friction than this along the whole tendon holds no set back
 LIMIT = "deflection limit"
 BENT_BEFORE = "the deflection limit is passed under the sustained load: no live load can be carried"
-STAGE_ROWS = {JACKED: stages.JACKING, SET: stages.SETTING, ANCHORED: stages.ANCHORING}
+STAGE_ROWS = {
+    JACKED: stages.JACKING,
+    SET: stages.SETTING,
+    ANCHORED: stages.ANCHORING,
+    SERVICE: stages.TIME,
+}
 
 
 def stopped(run: Run, stage: int, message: str) -> Response:
@@ -39,10 +45,15 @@ def _why(run: Run) -> str:
     return f"; {nearest_to_failure(step)}"
 
 
-def finished(run: Run, ended: int) -> Response:
-    """Response of a member that was loaded; ended: how the loading did."""
+def anchored(run: Run) -> Response:
+    """Response of a member so far: it is anchored."""
+    return Response(**_common(run, stages.SUSTAINED), status="ok", message="")
+
+
+def finished(run: Run, ended: int, loss: TimeLoss | None) -> Response:
+    """Response of a member that was loaded; ended: how the loading did; loss: what time took before."""
     complete = ended == DONE
-    common = _common(run, stages.LIVE)
+    common = _common(run, stages.LIVE) | {"time_loss": loss}
     rows, history = _service_rows(run), run.rig.case.history
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
     service = Service(run.rig.case.model, history.u[rows], history.T[rows], history.strain[rows], curve)
@@ -83,7 +94,9 @@ def _before_live(run: Run, events: tuple[Event, ...], failure: str) -> str:
     loaded = _live_rows(run)
     if loaded and event.step > len(_service_rows(run)) - loaded - 1:
         return ""
-    under = "stressing" if event.step == 0.0 else "the sustained load"
+    stage = run.rig.case.history.stage[_service_rows(run)[int(np.ceil(event.step))]]
+    words = {stages.ANCHORING: "stressing", stages.TIME: "the sustained load and long-term losses"}
+    under = words.get(int(stage), "the sustained load")
     return f"{failure} at x = {event.place:.0f} mm under {under}: no live load can be carried"
 
 
@@ -133,14 +146,16 @@ def _states(
     return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 
 
-def _last_row(run: Run, stage: int) -> int:
+def _last_row(run: Run, stage: int) -> int | None:
+    """The last row of a stage; None where it was not reached."""
     history = run.rig.case.history
-    return int(np.flatnonzero(history.stage[: history.rows[0]] == stage)[-1])
+    rows = np.flatnonzero(history.stage[: history.rows[0]] == stage)
+    return int(rows[-1]) if rows.size else None
 
 
 def _service_rows(run: Run) -> NDArray[np.int64]:
     """Rows from the anchored state on."""
-    return np.arange(_last_row(run, stages.ANCHORING), int(run.rig.case.history.rows[0]))
+    return np.arange(_last_row(run, stages.ANCHORING) or 0, int(run.rig.case.history.rows[0]))
 
 
 def _tendon_state(run: Run, row: float) -> TendonState:

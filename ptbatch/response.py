@@ -6,12 +6,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ptbatch.design.longterm import TimeLoss
 from ptbatch.losses import Losses
 from ptbatch.member import Member
 
 Array = NDArray[np.float64]
 
-JACKED, SET, ANCHORED, PEAK, END = STAGES = "jacked", "set", "anchored", "peak", "end"
+JACKED, SET, ANCHORED, SERVICE, PEAK, END = STAGES = "jacked", "set", "anchored", "service", "peak", "end"
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,8 @@ class Response:
 
     status: ok, warning or not converged. elongations in mm, before the set at each live end, from the left;
     elongation_before and elongation_after the sums over these ends;
-    camber in mm, up positive.
+    camber in mm, up positive. time_loss: what creep, shrinkage and relaxation take before the live load, None
+    where nothing is known of them (tendon then has no service state).
     """
 
     member: Member
@@ -114,6 +116,7 @@ class Response:
     residual_max: float = 0.0
     newton_iterations: int = 0
     has_service_value: bool = True
+    time_loss: TimeLoss | None = None
 
     def event(self, name: str) -> Event | None:
         """The first event of that name."""

@@ -17,7 +17,10 @@ from ptbatch.workbook.results import (
     CRACKS,
     CURVES,
     ELONGATION,
+    LOSSES,
+    MOMENTS,
     NOT_ANALYSED,
+    REACTIONS,
     SUMMARY,
     TENDON,
     Outcome,
@@ -81,6 +84,9 @@ def engine() -> Callable[[Member], Outcome]:
         crack_rows,
         curve_rows,
         elongation_rows,
+        loss_rows,
+        moment_rows,
+        reaction_rows,
         summary_row,
         tendon_rows,
     )
@@ -100,6 +106,9 @@ def engine() -> Callable[[Member], Outcome]:
                 [_checked(row, CRACKS) for row in crack_rows(member, response)],
                 [_checked(row, CHECKS) for row in check_rows(member, found)],
                 [_checked(row, ELONGATION) for row in elongation_rows(member, response)],
+                [_checked(row, LOSSES) for row in loss_rows(member, response)],
+                [_checked(row, MOMENTS) for row in moment_rows(member, response)],
+                [_checked(row, REACTIONS) for row in reaction_rows(member, response)],
             )
         except Exception as error:
             return _crashed(error)

@@ -1,4 +1,4 @@
-"""The four stages. Each says what moves, what is held and what is recorded; one's end state is the next one's
+"""The stages. Each says what moves, what is held and what is recorded; one's end state is the next one's
 start, exactly."""
 
 from dataclasses import dataclass
@@ -17,16 +17,18 @@ from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, ramp
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]  # what something is moved from and to
 
-JACKING, SETTING, ANCHORING, SUSTAINED, LIVE = range(5)
-NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "live load")
+JACKING, SETTING, ANCHORING, SUSTAINED, TIME, LIVE = range(6)
+NAMES = ("jacking", "wedge set", "anchoring", "sustained load", "long-term losses", "live load")
 LEFT, RIGHT = 0, 1
 LET_GO = 1.0 - 1e-6  # of the friction force: nodes about to turn round stick first, rather than slide on
-NO_MEAN = 4  # beside how a stage can end: no jacking stress was found for `fpe`
+NO_MEAN, NO_PRESTRESS = 4, 5  # beside how a stage can end: no jacking stress for `fpe`; time takes it all
+LOSSES, LOST = 6, 1e-7  # times that time takes its part, and how near it must come, of the stress
 WHY = {
     NO_EQUILIBRIUM: "no equilibrium was found",
     NO_BUDGET: "the iterations allowed did not lead",
     NO_ROOM: "the steps allowed did not lead",
     NO_MEAN: "no stress was found that leaves fpe,",
+    NO_PRESTRESS: "they exceed the stress of the tendon",
 }
 
 
@@ -34,7 +36,8 @@ class NoEquilibriumError(Exception):
     """A stage found no equilibrium beyond the fraction that it reached."""
 
     def __init__(self, stage: int, ended: int, reached: float) -> None:
-        super().__init__(f"{NAMES[stage]}: {WHY[ended]} beyond {reached:.1%} of the stage")
+        beyond = "" if ended == NO_PRESTRESS else f" beyond {reached:.1%} of the stage"
+        super().__init__(f"{NAMES[stage]}: {WHY[ended]}{beyond}")
         self.stage = stage
 
 
@@ -61,6 +64,12 @@ class Rig:
     def failed(self) -> bool:
         """Whether a material has reached its limit strain in the committed state."""
         return bool(demands(self.handle, self.case.state.u)[0][LIMIT] >= 1.0)
+
+    @property
+    def mean_stress(self) -> float:
+        """Mean tendon stress over its length in the committed state [MPa]."""
+        model = self.case.model
+        return float(np.average(self.case.work.T, weights=model.rest_length) / model.strand.Aps)
 
     def gap(self, side: int) -> float:
         """How far the tendon's end stands out of its anchor [mm]."""
@@ -131,8 +140,28 @@ def sustain(rig: Rig, loads: Pair, bonded: bool) -> None:
             raise
 
 
+def lose(rig: Rig, load: Array, wanted: float, bonded: bool) -> None:
+    """Service, second part: time takes so much [MPa] of the tendon's mean stress, as its length at rest
+    grows. What the concrete gives back, being pressed less, is taken as well."""
+    model = rig.case.model
+    Ep, rest, held = model.strand.Ep, model.rest_length, rig.case.ends.value.copy()
+    before = rig.mean_stress
+    if wanted >= before:
+        raise NoEquilibriumError(TIME, NO_PRESTRESS, 0.0)
+    lost, answer = 0.0, 1.0  # so far; of what a longer tendon would lose between rigid anchors
+    for _ in range(LOSSES):
+        grown = (wanted - lost) / (answer * Ep)
+        rest *= 1.0 + grown
+        move(rig, TIME, (load, load), (held, held), bonded)
+        now = before - rig.mean_stress
+        if abs(now - wanted) <= LOST * before:
+            return
+        answer = min(max((now - lost) / (grown * Ep), 0.1), 2.0)
+        lost = now
+
+
 def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bonded: bool) -> int:
-    """Service, second part: the live pattern, driven by the control point's deflection to its limit or to the
+    """Service, third part: the live pattern, driven by the control point's deflection to its limit or to the
     rupture of the tendon; how it ended, a key of `WHY` or DONE."""
     rig.case.state.rub[:] *= LET_GO
     ended = int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))

@@ -7,8 +7,11 @@ import numpy as np
 from ptbatch.design.check import Check
 from ptbatch.design.checks import checks, governing, outcome
 from ptbatch.design.elongation import elongations
+from ptbatch.design.sections import Subject
 from ptbatch.member import Member
-from ptbatch.response import ANCHORED, JACKED, PEAK, SET, STAGES, Event, Response, TendonState
+from ptbatch.prestress_losses import losses_by_cause
+from ptbatch.response import ANCHORED, JACKED, PEAK, SERVICE, SET, STAGES, Event, Response, TendonState
+from ptbatch.workbook.results import MOMENTS
 
 Value = float | str
 Row = dict[str, Value]
@@ -35,7 +38,16 @@ def summary_row(member: Member, response: Response, found: Sequence[Check] | Non
     row |= _capacity(response)
     row["residual_max"] = response.residual_max
     row["newton_iterations"] = response.newton_iterations
-    return row | _failure(response) | _checks(member, response, found)
+    row |= _failure(response) | _checks(member, response, found)
+    return row | {"stress_service_mean [MPa]": _effective(response)}
+
+
+def _effective(response: Response) -> Value:
+    """Mean stress when time has taken its part."""
+    if (state := response.tendon.get(SERVICE)) is not None:
+        return state.mean
+    known = response.time_loss is not None or response.member.RH is not None
+    return _not_reached(response) if known else "no long-term loss is given"
 
 
 def _checks(member: Member, response: Response, found: Sequence[Check] | None) -> Row:
@@ -237,3 +249,48 @@ def elongation_rows(member: Member, response: Response) -> Iterator[Row]:
             "to_read": one.rounded,
             "warning": one.warning,
         }
+
+
+def loss_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `losses`: one a cause."""
+    for one in losses_by_cause(response):
+        yield {
+            "member": member.member,
+            "cause": one.cause,
+            "source": one.source,
+            "loss [MPa]": one.loss,
+            "share [%]": 100.0 * one.loss / response.fpj,
+            "stress_after [MPa]": one.left,
+        }
+
+
+def moment_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `moments`: one a place, where a standard is asked for."""
+    if member.standard == "none" or ANCHORED not in response.tendon:
+        return
+    moments = Subject(member, response).moments
+    for i in moments.told:
+        service = moments.dead[i] + moments.live[i] + moments.secondary[i]
+        parts = (
+            moments.weight[i],
+            moments.dead[i],
+            moments.live[i],
+            moments.primary[i],
+            moments.secondary[i],
+        )
+        names = (header for header in MOMENTS if header.endswith("[kN m]"))
+        places: Row = {"member": member.member, "x [mm]": float(moments.x[i])}
+        yield places | {
+            name: float(value) / 1e6 for name, value in zip(names, (*parts, service), strict=True)
+        }
+
+
+def reaction_rows(member: Member, response: Response) -> Iterator[Row]:
+    """Rows of `reactions`: one a support, where a standard is asked for."""
+    if member.standard == "none" or ANCHORED not in response.tendon:
+        return
+    found = Subject(member, response).reactions
+    for i, (x, kind) in enumerate(zip(member.support_x, member.supports, strict=True)):
+        if kind != "free":
+            places: Row = {"member": member.member, "support": i + 1, "x [mm]": x}
+            yield places | {f"{name} [kN]": float(values[i]) / 1e3 for name, values in found.items()}

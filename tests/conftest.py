@@ -68,7 +68,10 @@ def engine(monkeypatch):
             "summary_row": summary_row,
             "tendon_rows": lambda member, response: [dict.fromkeys(TENDON, 1.0) | {"stage": "jacked"}],
             "check_rows": lambda member, found: [],
-            "elongation_rows": lambda member, response: [],
+            **{
+                f"{name}_rows": lambda member, response: []
+                for name in ("elongation", "loss", "moment", "reaction")
+            },
             "crack_rows": lambda member, response: [dict.fromkeys(CRACKS, 3.0) | {"stage": "peak"}],
             "curve_rows": lambda member, response: [dict.fromkeys(CURVES, 2.0) | {"event": "peak"}] * 2,
         },

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most, unless
-from ptbatch.design.sections import HOGGING, NO_TIME, SAGGING, Subject
+from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 
 WORDS = {SAGGING: "sagging", HOGGING: "hogging"}
 CHECKED = 12  # every so many stations, and the supports
@@ -24,7 +24,6 @@ class Resistance(NamedTuple):
     tendon_stress: float
 
 
-Combination = tuple[float, float]  # factors of dead and live load; secondary moments count once
 Resists = Callable[[Subject, float, int], Resistance]
 
 
@@ -71,9 +70,7 @@ def _check(
     if made.outcome == FAIL:
         reason = "no steel in tension there" if strength.design <= 0.0 else ""
         return _with(made, FAIL, reason)
-    missing = [] if subject.has_live else ["no service live load is given"]
-    missing += [] if subject.timely else [NO_TIME]
-    return unless(made, "; ".join(missing))
+    return unless(made, subject.doubt)
 
 
 def _with(check: Check, outcome: str, reason: str) -> Check:

@@ -70,6 +70,13 @@ def review(
     return Check(name, clause, "", values, nan, nan, "", None, REVIEW, x, reason)
 
 
+def untold(check: Check, missing: str) -> Check:
+    """A check that fails for what has not been given is to be reviewed; what is missing is said."""
+    return (
+        replace(check, outcome=REVIEW, utilisation=None, reason=missing) if check.outcome == FAIL else check
+    )
+
+
 def unless(check: Check, doubt: str) -> Check:
     """A check that is passed under a doubt is to be reviewed."""
     return replace(check, outcome=REVIEW, reason=doubt) if doubt and check.outcome == PASS else check

@@ -7,39 +7,26 @@ from ptbatch.design.balance import about_prestress
 from ptbatch.design.check import FAIL, INFO, PASS, REVIEW, Check, Value
 from ptbatch.design.ec2.checks import checks as ec2
 from ptbatch.design.sections import Subject
-from ptbatch.design.time_losses import time_loss
 from ptbatch.member import Member
 from ptbatch.response import ANCHORED, Response
 
 STANDARDS: dict[str, Callable[[Subject], Iterable[Check]]] = {"ACI 318-19": aci318, "EN 1992-1-1": ec2}
 
 
-def subject(member: Member, response: Response) -> Subject | None:
-    """What there is to check, with the tendon's long-term loss: the lump sum given, or by the standard if RH
-    is given; None where the member was not anchored."""
-    if ANCHORED not in response.tendon:
-        return None
-    whole = Subject(member, response, 0.0)
-    if member.long_term_loss is not None:
-        return Subject(member, response, member.long_term_loss)
-    loss = time_loss(whole)
-    return Subject(member, response, loss.total, loss) if loss else whole
-
-
 def checks(member: Member, response: Response) -> list[Check]:
     """All checks; none where no standard is asked for, or where the member was not anchored."""
     make = STANDARDS.get(member.standard)
-    about = make and subject(member, response)
+    about = Subject(member, response) if make and ANCHORED in response.tendon else None
     return [*_time(about), *make(about), *about_prestress(about)] if make and about else []
 
 
 def _time(about: Subject) -> Iterator[Check]:
     """The long-term loss and what it is made of; nothing is compared."""
-    loss = about.loss
+    loss = about.response.time_loss
     if loss is None:
         return
-    parts = (("creep", loss.creep), ("shrinkage", loss.shrinkage), ("relaxation", loss.relaxation))
-    values = tuple(Value(name, value, "MPa") for name, value in parts) + (Value("fse", about.fse, "MPa"),)
+    values = tuple(Value(name, value, "MPa") for name, value in loss.causes.items())
+    values += (Value("fse", about.fse, "MPa"),)
     anchored = about.fse + loss.total
     numbers = loss.total, anchored, "MPa", None, INFO
     yield Check("long-term loss", loss.clause, loss.formula, values, *numbers)

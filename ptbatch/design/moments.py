@@ -37,9 +37,51 @@ def of_loads(member: Member, x: Array, loads: Iterable[Load]) -> Array:
     return np.append(at_left, at_right[-1])
 
 
+def shears(x: Array, moments: Array, loads: Iterable[Load]) -> Array:
+    """Shear forces (stations, 2) in N just left and just right of the stations, from moments that run on over
+    them, and the loads that make them; dM/dx positive."""
+    middle, h = 0.5 * (x[1:] + x[:-1]), np.diff(x)
+    w = np.zeros_like(h)
+    for load in loads:
+        if load.type == "uniform":
+            w += np.where((middle > load.x) & (middle < load.x_end), load.value, 0.0)
+    chord = np.diff(moments) / h
+    found = np.zeros((len(x), 2))
+    found[:-1, 1], found[1:, 0] = chord + 0.5 * w * h, chord - 0.5 * w * h
+    return found
+
+
+def reactions(member: Member, x: Array, moments: Array, loads: Iterable[Load]) -> Array:
+    """Reactions (supports,) in N, upward positive."""
+    loads = list(loads)
+    step = np.diff(shears(x, moments, loads))[:, 0]
+    at = [int(np.abs(x - place).argmin()) for place in member.support_x]
+    on = [sum(load.value for load in loads if load.type == "point" and abs(load.x - x[i]) < 1e-6) for i in at]
+    return np.asarray([step[i] + own for i, own in zip(at, on, strict=True)])
+
+
 def secondary(member: Member, x: Array, primary: Array) -> Array:
     """Moments (stations,) in N mm of the reactions to the prestress, from the primary ones, - P e: those that
     let the member fit its supports again. They run straight from support to support."""
+    left, right = _curvatures(x, displacements(member, x, _forces(x, primary)))
+    mean = 0.5 * (left + right) - 0.5 * (primary[1:] + primary[:-1])
+    middle = 0.5 * (x[1:] + x[:-1])
+    return np.concatenate([_straight(x, middle, mean, *ends) for ends in _spans(member, x)])
+
+
+def of_beam(member: Member, x: Array, loads: Iterable[Load]) -> Array:
+    """Deflections (stations,) of loads, down positive, times the bending stiffness [N mm3]."""
+    return -displacements(member, x, nodal_loads(x, loads))[:, 0]
+
+
+def by_prestress(member: Member, x: Array, primary: Array) -> Array:
+    """The same of the prestress, from its primary moments."""
+    return -displacements(member, x, _forces(x, primary))[:, 0]
+
+
+def _forces(x: Array, primary: Array) -> Array:
+    """Nodal forces and moments (stations, 2) that bend the member as the primary moments would if it were
+    free."""
     h = np.diff(x)[:, None]
     m = primary[:-1, None] * (1.0 - XI) + primary[1:, None] * XI
     shapes = [-6.0 + 12.0 * XI, h * (-4.0 + 6.0 * XI), 6.0 - 12.0 * XI, h * (-2.0 + 6.0 * XI)]
@@ -47,10 +89,7 @@ def secondary(member: Member, x: Array, primary: Array) -> Array:
     forces = np.zeros((len(x), 2))
     for node, column, part in ((0, 0, 0), (0, 1, 1), (1, 0, 2), (1, 1, 3)):
         forces[node : len(x) - 1 + node, column] += parts[part]
-    left, right = _curvatures(x, displacements(member, x, forces))
-    mean = 0.5 * (left + right) - 0.5 * (primary[1:] + primary[:-1])
-    middle = 0.5 * (x[1:] + x[:-1])
-    return np.concatenate([_straight(x, middle, mean, *ends) for ends in _spans(member, x)])
+    return forces
 
 
 def _spans(member: Member, x: Array) -> list[tuple[int, int]]:

@@ -1,5 +1,6 @@
 """Sections of a member as a check of bending needs them: seen from the compressed face."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -8,40 +9,49 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.design.flexure import Strip
-from ptbatch.design.longterm import TimeLoss
-from ptbatch.design.moments import of_loads, secondary, stations
+from ptbatch.design.moments import of_loads, reactions, secondary, shears, stations
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
-from ptbatch.member import Bar, Member
+from ptbatch.member import Bar, Load, Member
 from ptbatch.model.loading import has_service_value, live, self_weight, sustained
 from ptbatch.response import ANCHORED, Response
 
 Array = NDArray[np.float64]
 
 SAGGING, HOGGING = 1, -1
+TOLD = 6  # every so many stations
+SLOPE = 1.0  # mm to either side, for the slope of the tendon
 NO_TIME = "without creep, shrinkage and relaxation of the tendon: give RH, or long_term_loss"
+
+
+Combination = tuple[float, float]  # factors of dead and live load; secondary moments count once
 
 
 class Moments(NamedTuple):
     """Elastic moments [N mm] at stations x [mm]: of the self-weight, of all dead load, of the live load at
-    its service value (zero where none was given), and secondary."""
+    its service value (zero where none was given), primary (- P e) and secondary ones of the prestress. told:
+    which of the stations a table shows."""
 
     x: Array
     weight: Array
     dead: Array
     live: Array
+    primary: Array
     secondary: Array
+    told: list[int]
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What is checked: a member, its analysis, the stress [MPa] that time takes off the tendon, and what that
-    is made of where it was not given."""
+    """What is checked: a member and its analysis."""
 
     member: Member
     response: Response
-    time_loss: float
-    loss: TimeLoss | None = None
+
+    @property
+    def time_loss(self) -> float:
+        """What time takes off the tendon's stress [MPa]; zero where nothing is known of it."""
+        return self.response.time_loss.total if self.response.time_loss else 0.0
 
     @property
     def fse(self) -> float:
@@ -51,7 +61,18 @@ class Subject:
     @property
     def timely(self) -> bool:
         """Whether anything is known of what time takes."""
-        return self.loss is not None or self.member.long_term_loss is not None
+        return self.response.time_loss is not None
+
+    @property
+    def doubt(self) -> str:
+        """What is not known, so that nothing can be passed in the ultimate limit state; else empty."""
+        missing = [] if self.has_live else ["no service live load is given"]
+        return "; ".join([*missing, *([] if self.timely else [NO_TIME])])
+
+    def combinations(self, usual: Sequence[Combination]) -> Sequence[Combination]:
+        """Factors of dead and live load: the standard's, or the member's own."""
+        dead, live = self.member.factor_dead, self.member.factor_live
+        return usual if dead is None or live is None else ((dead, 0.0), (dead, live))
 
     def effective(self, x: float) -> float:
         """The same at a place [MPa]."""
@@ -76,7 +97,37 @@ class Subject:
         primary = -force * (ideal_profile(member).depth(x) - gross_section(member).centroid)
         service = of_loads(member, x, on) if self.has_live else np.zeros_like(x)
         alone, all_dead = of_loads(member, x, weight), of_loads(member, x, dead)
-        return Moments(x, alone, all_dead, service, secondary(member, x, primary))
+        near = [int(np.abs(x - place).argmin()) for place in member.support_x]
+        told = sorted({*range(0, len(x), TOLD), *near})
+        return Moments(x, alone, all_dead, service, primary, secondary(member, x, primary), told)
+
+    @cached_property
+    def loads(self) -> dict[str, list[Load]]:
+        """Self-weight, all dead load, the live load at its service value; none of the secondary moments."""
+        weight = self_weight(self.member)
+        on = live(self.member) if self.has_live else []
+        return {
+            "self_weight": weight,
+            "dead": [*weight, *sustained(self.member)],
+            "live": on,
+            "secondary": [],
+        }
+
+    @cached_property
+    def _by_cause(self) -> dict[str, Array]:
+        m = self.moments
+        return {"self_weight": m.weight, "dead": m.dead, "live": m.live, "secondary": m.secondary}
+
+    @cached_property
+    def shears(self) -> dict[str, Array]:
+        """Shear forces (stations, 2) [N] by cause, just left and just right of the stations."""
+        return {name: shears(self.moments.x, m, self.loads[name]) for name, m in self._by_cause.items()}
+
+    @cached_property
+    def reactions(self) -> dict[str, Array]:
+        """Reactions (supports,) [N] by cause, upward positive."""
+        x = self.moments.x
+        return {name: reactions(self.member, x, m, self.loads[name]) for name, m in self._by_cause.items()}
 
     def strips(self, sense: int) -> list[Strip]:
         """Thickness and width from the compressed face on: the top where it sags."""

@@ -36,12 +36,12 @@ class Fibres(NamedTuple):
         return Fibres(self.x[inside], self.top[inside], self.bottom[inside])
 
 
-def fibres(subject: Subject, moments: Array, time_loss: float) -> Fibres:
+def fibres(subject: Subject, moments: Array, time_loss: float, share: float = 1.0) -> Fibres:
     """P/A + M/S with external moments (stations,) [N mm], secondary ones included, and the prestress after a
-    loss [MPa]."""
+    loss [MPa], or a share of it."""
     x, section = subject.moments.x, gross_section(subject.member)
     anchored = np.array([subject.effective(place) for place in x]) + subject.time_loss
-    P = (anchored - time_loss) * subject.member.Aps
+    P = share * (anchored - time_loss) * subject.member.Aps
     e = ideal_profile(subject.member).depth(x) - section.centroid
     inner, mean = moments - P * e, -P / section.area
     up, down = section.centroid, section.h - section.centroid

@@ -7,17 +7,22 @@ from ptbatch.design.sections import Subject
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
+from ptbatch.response import Response
 
 CURED = 3.0  # days of moist curing, at most: drying begins then
 CLASSES = {"normal": 1, "low": 2}  # of EN 1992-1-1
 YEAR = 365.0
 
 
-def time_loss(subject: Subject) -> TimeLoss | None:
-    """Creep, shrinkage and relaxation of a member with its whole prestress; None where RH is not given."""
-    RH = subject.member.RH
+def time_loss(anchored: Response) -> TimeLoss | None:
+    """What time takes of an anchored tendon: the lump sum given, or creep, shrinkage and relaxation by the
+    document that goes with the standard; None where neither that nor RH is given."""
+    member, RH = anchored.member, anchored.member.RH
+    if member.long_term_loss is not None:
+        return TimeLoss({"lump sum": member.long_term_loss}, "as given", "long_term_loss")
     if RH is None:
         return None
+    subject = Subject(member, anchored)
     return by_ec2(subject, RH) if subject.member.standard == "EN 1992-1-1" else by_zia(subject, RH)
 
 

@@ -38,7 +38,7 @@ LETTERS_PER_INCH = 15.0  # of a legend
 LONGEST = 60  # text of a legend
 TICKS, ROUND_OFF = 7, 1e-9
 
-STAGES = {"jacked": GREY, "anchored": BLUE, "peak": VERMILION, "end": PURPLE}
+STAGES = {"jacked": GREY, "anchored": BLUE, "service": GREEN, "peak": VERMILION, "end": PURPLE}
 
 
 def colour(i: int) -> str:

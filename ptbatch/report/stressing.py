@@ -13,6 +13,7 @@ MEANINGS = {
     "jacked": "live ends pulled",
     "set": "wedges drawn in",
     "anchored": "jacks away",
+    "service": "time has taken its part",
     "peak": "largest live load",
     "end": "end of the curve",
 }

@@ -82,5 +82,19 @@ def live_rows_used(v: Values) -> Iterator[Fault]:
         yield Fault("live", v["live"], wrong, "choose live = loads to use them")
 
 
-RULES: tuple[Rule, ...] = (loaded_spans_exist, pattern_has_loads, loads_on_member, bars_on_member)
+@rule()
+def factors_paired(v: Values) -> Iterator[Fault]:
+    """Both load factors, or none. One that is missing from the values is faulty already."""
+    for one, other in (("factor_dead", "factor_live"), ("factor_live", "factor_dead")):
+        if one in v and v[one] is None and v.get(other) is not None:
+            yield Fault(one, None, f"missing, and {other} is given", f"give {one}, or leave {other} blank")
+
+
+RULES: tuple[Rule, ...] = (
+    factors_paired,
+    loaded_spans_exist,
+    pattern_has_loads,
+    loads_on_member,
+    bars_on_member,
+)
 WARNINGS: tuple[Rule, ...] = (service_value_used, live_rows_used)

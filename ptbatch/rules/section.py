@@ -76,7 +76,15 @@ def parts_used(v: Values) -> Iterator[Fault]:
             yield Fault(part, v[part], wrong, "check the shape, or leave the cell blank")
 
 
+@rule("Av")
+def stirrups_spaced(v: Values) -> Iterator[Fault]:
+    """Stirrups have an area and a spacing."""
+    if v["Av"] and "s" in v and v["s"] is None:
+        yield Fault("s", None, "missing, and stirrups Av are given", "give s, or leave Av blank")
+
+
 RULES: tuple[Rule, ...] = (
+    stirrups_spaced,
     parts_given,
     flanges_fit,
     web_fits,

@@ -51,7 +51,7 @@ class Column:
 
     default: a value in the SI unit of the column, a `Derived`, or None where there is none.
     us: unit of US headers without one, where it is not that of the quantity.
-    source: where the default or the law comes from.
+    source: where the default or the law comes from. also: another header that is understood.
     """
 
     name: str
@@ -64,6 +64,7 @@ class Column:
     choices: tuple[str, ...] = ()
     us: str = ""
     source: str = ""
+    also: str = ""
 
     def unit(self, system: System) -> str:
         """Unit of a header that names none."""

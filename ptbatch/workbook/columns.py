@@ -7,6 +7,10 @@ from math import sqrt
 
 from ptbatch.workbook.column import Column, Derived
 
+EXPOSURES = (
+    *("interior", "weather", "ground", "X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3"),
+    *("XS1", "XS2", "XS3"),
+)
 SUPPORTS = ("pin", "roller", "fixed", "free")
 NO_BARS = Derived("none", (), tuple)
 
@@ -275,15 +279,15 @@ MEMBERS = (
     Column("fci", "strength of the concrete at stressing; blank: transfer is not checked", quantity="stress"),
     Column(
         "long_term_loss",
-        "stress that creep, shrinkage and relaxation take off the tendon, as a lump sum, for the checks; the "
-        "analysis is without it",
+        "stress that creep, shrinkage and relaxation take off the tendon between the sustained and the live "
+        "load, as a lump sum",
         quantity="stress",
         limit="not negative",
     ),
     Column(
         "RH",
-        "relative humidity around the member; with it creep, shrinkage and relaxation are computed by the "
-        "standard (ACI: Zia et al.) where long_term_loss is blank",
+        "relative humidity around the member; with it creep, shrinkage and relaxation are computed where "
+        "long_term_loss is blank: by the standard EN 1992-1-1, else by Zia et al. (ACI 423.10R)",
         quantity="percent",
         limit="0 to 100",
     ),
@@ -293,6 +297,67 @@ MEMBERS = (
         "age of the concrete at stressing in days; Zia counts from the end of moist curing",
         default=7.0,
     ),
+    Column(
+        "Av",
+        "area of all legs of one set of stirrups; 0: there are none; blank: where they are needed is told",
+        quantity="area",
+        limit="not negative",
+    ),
+    Column("s", "spacing of the stirrups along the member; needed with Av", quantity="length"),
+    Column(
+        "fyt",
+        "yield stress of the stirrups",
+        quantity="stress",
+        default=Derived("fy", ("fy",), lambda fy: fy),
+    ),
+    Column(
+        "service_class",
+        "class that is asked for, ACI 318-19, 24.5.2; `class` for short; any: it is told, not judged",
+        "choice",
+        default="any",
+        choices=("any", "U", "T", "C"),
+        also="class",
+    ),
+    Column(
+        "exposure",
+        "for the cover: interior, weather or ground (ACI 318-19, 20.5.1.3), X0 to XS3 (EN 1992-1-1, 4.2)",
+        "choice",
+        default="interior",
+        choices=EXPOSURES,
+    ),
+    Column(
+        "cover",
+        "clear cover that the tendon has to have; blank: by exposure and standard",
+        quantity="length",
+        limit="not negative",
+    ),
+    Column("duct", "outer diameter of the duct or sheathing, for the cover", quantity="length"),
+    Column("bar_diameter", "of the bars, for crack widths by EN 1992-1-1", quantity="length", default=16.0),
+    Column(
+        "live_frequent",
+        "share of the live load in the frequent combination, EN 1990, psi1",
+        limit="0 to 1",
+        default=0.5,
+    ),
+    Column(
+        "deflection_live",
+        "span over the deflection by live load that is allowed",
+        default=360.0,
+        source="ACI 318-19, table 24.2.2: floors",
+    ),
+    Column(
+        "deflection_total",
+        "span over the long-term deflection that is allowed: after attachment (ACI), in all (EN)",
+        default=Derived(
+            "240 (250 by EN 1992-1-1)", ("standard",), lambda code: 250.0 if code == "EN 1992-1-1" else 240.0
+        ),
+        source="ACI 318-19, table 24.2.2; EN 1992-1-1, 7.4.1 (4)",
+    ),
+    Column(
+        "factor_dead",
+        "load factor of dead load; blank: the combinations of the standard. Give factor_live as well",
+    ),
+    Column("factor_live", "load factor of live load", limit="not negative"),
     Column("cement", "class of the cement, EN 1992-1-1", "choice", default="n", choices=("s", "n", "r")),
     Column("relaxation", "of the strand", "choice", default="low", choices=("low", "normal")),
     Column("design_life", "years of creep and shrinkage, EN 1992-1-1", default=50.0),

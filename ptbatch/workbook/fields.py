@@ -10,8 +10,9 @@ _TEXTS = {
     *(*HEAD, "failure", "stage", "event", "checks", "governing_check"),
     *("check", "clause", "formula", "numbers", "unit", "outcome", "reason"),
     *("end", "to_read", "warning"),
+    *("cause", "source"),
 }
-_COUNTS = {"step", "newton_iterations"}
+_COUNTS = {"support", "step", "newton_iterations"}
 _OF_KIND = {"number": float, "integer": int}
 
 

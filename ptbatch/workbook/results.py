@@ -43,6 +43,7 @@ SUMMARY = (
     "checks",
     "utilisation_max",
     "governing_check",
+    "stress_service_mean [MPa]",
 )
 TENDON = ("member", "stage", "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]", "slip [mm]")
 CURVES = (
@@ -83,8 +84,29 @@ ELONGATION = (
     "to_read",
     "warning",
 )
+LOSSES = ("member", "cause", "source", "loss [MPa]", "share [%]", "stress_after [MPa]")
+MOMENTS = (
+    "member",
+    "x [mm]",
+    "self_weight [kN m]",
+    "dead [kN m]",
+    "live [kN m]",
+    "primary [kN m]",
+    "secondary [kN m]",
+    "service [kN m]",
+)
+REACTIONS = ("member", "support", "x [mm]", "self_weight [kN]", "dead [kN]", "live [kN]", "secondary [kN]")
 # Tables of many rows a member
-DETAILS = {"tendon": TENDON, "curves": CURVES, "cracks": CRACKS, "checks": CHECKS, "elongation": ELONGATION}
+DETAILS = {
+    "losses": LOSSES,
+    "tendon": TENDON,
+    "curves": CURVES,
+    "cracks": CRACKS,
+    "checks": CHECKS,
+    "moments": MOMENTS,
+    "reactions": REACTIONS,
+    "elongation": ELONGATION,
+}
 PROBLEMS = ("sheet", "cell", "column", "value", "what is wrong", "how to put it right")
 INVALID = "invalid input"
 NOT_ANALYSED = "not analysed"
@@ -103,6 +125,9 @@ class Outcome:
     cracks: Sequence[Mapping[str, Any]] = ()
     checks: Sequence[Mapping[str, Any]] = ()
     elongation: Sequence[Mapping[str, Any]] = ()
+    losses: Sequence[Mapping[str, Any]] = ()
+    moments: Sequence[Mapping[str, Any]] = ()
+    reactions: Sequence[Mapping[str, Any]] = ()
 
     @property
     def analysed(self) -> bool:

@@ -133,7 +133,9 @@ def make_table(raw: RawSheet, header_row: int, columns: Sequence[Column], system
 
 def _match(headers: dict[int, Header], columns: Iterable[Column]) -> dict[int, Column]:
     """Column of each known header. Case counts only where two names collide."""
-    by_name = {column.name: column for column in columns}
+    columns = list(columns)
+    by_name = {column.also: column for column in columns if column.also}
+    by_name |= {column.name: column for column in columns}
     by_folded = {name.casefold(): column for name, column in by_name.items()}
     matches = {i: by_name[header.name] for i, header in headers.items() if header.name in by_name}
     exact = {column.name for column in matches.values()}

@@ -5,7 +5,7 @@ import pytest
 
 from ptbatch.analysis import analyse
 from ptbatch.design.balance import about_prestress, balanced, least_radius
-from ptbatch.design.checks import subject
+from ptbatch.design.sections import Subject
 from ptbatch.member import Member
 
 BEAM = dict(
@@ -30,7 +30,7 @@ def test_spans_that_end_at_other_depths():
 
 def test_told_of_a_member():
     member = Member(**BEAM, dp=(300, 500, 300))
-    about = subject(member, analyse(member))
+    about = Subject(member, analyse(member))
     mean, load, radius = about_prestress(about)
     P = about.fse * 500
     assert mean.demand == pytest.approx(P / (300 * 600))

@@ -4,15 +4,18 @@ from typing import NamedTuple
 
 
 class TimeLoss(NamedTuple):
-    """Losses of the tendon's stress [MPa], the formula they come from, and by which document."""
+    """Losses of the tendon's stress by cause [MPa], the formula they come from, and by which document."""
 
-    creep: float
-    shrinkage: float
-    relaxation: float
+    causes: dict[str, float]
     formula: str
     clause: str
 
     @property
     def total(self) -> float:
         """All of them [MPa]."""
-        return self.creep + self.shrinkage + self.relaxation
+        return sum(self.causes.values())
+
+
+def by_time(creep: float, shrinkage: float, relaxation: float, formula: str, clause: str) -> TimeLoss:
+    """Losses [MPa] of the three causes."""
+    return TimeLoss({"creep": creep, "shrinkage": shrinkage, "relaxation": relaxation}, formula, clause)

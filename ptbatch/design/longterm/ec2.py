@@ -4,7 +4,7 @@ from math import exp, sqrt
 
 import numpy as np
 
-from ptbatch.design.longterm import TimeLoss
+from ptbatch.design.longterm import TimeLoss, by_time
 
 CEMENT = {"s": (-1.0, 3.0, 0.13), "n": (0.0, 4.0, 0.12), "r": (1.0, 6.0, 0.11)}  # alpha; alpha_ds1, alpha_ds2
 RELAXATION = {1: (5.39, 6.7), 2: (0.66, 9.1), 3: (1.98, 8.0)}  # factor and exponent by class
@@ -81,4 +81,4 @@ def losses(
         "(eps_cs Ep + 0.8 relaxation + Ep/Ecm phi sigma,c) / "
         "(1 + Ep Ap/(Ecm Ac) (1 + Ac zcp^2/Ic)(1 + 0.8 phi))"
     )
-    return TimeLoss(creep, eps_cs * Ep * share, 0.8 * relaxed * share, formula, "EN 1992-1-1 (5.46)")
+    return by_time(creep, eps_cs * Ep * share, 0.8 * relaxed * share, formula, "EN 1992-1-1 (5.46)")

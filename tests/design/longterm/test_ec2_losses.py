@@ -29,7 +29,7 @@ def test_loss_by_creep_and_shrinkage():
     phi = creep_coefficient(LATE, FIRST, RH, H0, FCK) / 1.05
     made = losses(4.82, 195e3, modulus(FCK), 2850.0, 1e6, 1e12 / 12, 390.1, phi, 1.885e-4, 0.0)
     assert made.total * 2850.0 / 1e3 == pytest.approx(195.11, rel=3e-3)
-    assert made.relaxation == 0.0
+    assert made.causes["relaxation"] == 0.0
 
 
 @pytest.mark.parametrize(("kind", "expected"), [(1, 8.754937e-4), (2, 2.099201e-4), (3, 4.628205e-4)])

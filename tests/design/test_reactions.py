@@ -1,0 +1,31 @@
+"""Shear forces and reactions: closed form."""
+
+import numpy as np
+import pytest
+
+from ptbatch.design.sections import Subject
+from ptbatch.member import Load
+from tests.design.test_checks import LIGHT, TWO, made
+
+
+def test_of_two_equal_spans():
+    """3/8, 10/8, 3/8 of w L; the secondary ones balance each other and make M2 = R L."""
+    member, response, _ = made(TWO)
+    about = Subject(member, response)
+    live = about.reactions["live"]
+    assert live == pytest.approx(10.0 * 9000 * np.array([3 / 8, 10 / 8, 3 / 8]), rel=1e-6)
+    secondary = about.reactions["secondary"]
+    assert sum(secondary) == pytest.approx(0.0, abs=1e-6 * abs(secondary[1]))
+    i = int(np.abs(about.moments.x - 9000).argmin())
+    assert about.moments.secondary[i] == pytest.approx(secondary[0] * 9000, rel=1e-6)
+    dead = sum(about.reactions["dead"])
+    assert dead == pytest.approx((24e-6 * 300 * 600 + 5) * 18_000, rel=1e-9)
+
+
+def test_of_a_point_load():
+    loads = (Load("live", "point", 3000, 3000, 30e3),)
+    member, response, _ = made(LIGHT, live="loads", w_live=None, loads=loads)
+    about = Subject(member, response)
+    assert about.reactions["live"] == pytest.approx([20e3, 10e3], rel=1e-6)
+    i = int(np.abs(about.moments.x - 3000).argmin())
+    assert about.shears["live"][i] == pytest.approx([20e3, -10e3], rel=1e-6)
