@@ -3,7 +3,8 @@ examples.build` after any change of a row or a column.
 
 `examples/beams.xlsx` holds two members of an office and published ones; its notes tell the sources.
 `examples/paper.xlsx` holds the members of the paper's studies and those with closed forms,
-`examples/paper-published.xlsx` what is known of them. `templates/` holds the templates in SI and in US units.
+`examples/paper-published.xlsx` what is known of them. `examples/office-SI.xlsx` and `office-US.xlsx` are
+worked out in `docs/office-example.md`. `templates/` holds the templates in SI and in US units.
 The same rows make the same files, byte by byte.
 """
 
@@ -12,6 +13,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from examples import office
 from examples.columns_page import PAGE, columns_page
 from examples.paper import (
     FIGURE_HEADERS,
@@ -30,6 +32,7 @@ from ptbatch.workbook.write import Sheet, write_workbook
 
 ROOT = Path(__file__).parent.parent
 EXAMPLE = "examples/beams.xlsx"
+OFFICE = {"SI": "examples/office-SI.xlsx", "US": "examples/office-US.xlsx"}
 PAPER, PUBLISHED = "examples/paper.xlsx", "examples/paper-published.xlsx"
 TEMPLATES: dict[System, str] = {"SI": "templates/members-SI.xlsx", "US": "templates/members-US.xlsx"}
 US_UNITS = ("in]", "in2]", "ft]", "ksi]")
@@ -95,12 +98,14 @@ def sheet(name: str, headers: Sequence[str], rows: Iterable[Row]) -> Sheet:
 
 def build(root: Path = ROOT) -> list[Path]:
     """Write workbooks and page below a folder, in place of those that are there, and return their paths."""
-    names = (EXAMPLE, PAPER, PUBLISHED, *TEMPLATES.values())
-    example, paper, published, *templates = paths = [root / name for name in names]
+    names = (EXAMPLE, PAPER, PUBLISHED, *OFFICE.values(), *TEMPLATES.values())
+    example, paper, published, in_si, in_us, *templates = paths = [root / name for name in names]
     for path in paths:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)
     write_workbook(example, [members(beams())])
+    write_workbook(in_si, [members(office.si())])
+    write_workbook(in_us, [members(office.us())])
     points = list(profile_rows())
     headers = list(dict.fromkeys(header for row in points for header in row))
     write_workbook(paper, [members(paper_members()), sheet("profile", headers, points)])

@@ -32,7 +32,7 @@ def analyse(member: Member, *, refine: int = 1) -> Response:
         if member.fpe is not None:
             run = stress_to_mean(run, member.fpe)
         loss = time_loss(anchored(run))
-        ended = serve(run, loss.total if loss else 0.0, refine)
+        ended = serve(run, refine, loss.total if loss else 0.0)
     except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none))
     return finished(run, ended, loss)
@@ -101,7 +101,7 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
     return run
 
 
-def serve(run: Run, loss: float, refine: int) -> int:
+def serve(run: Run, refine: int, loss: float = 0.0) -> int:
     """Sustained load, long-term losses [MPa], live load; how it ended. A member that fails before
     the live load gets none."""
     setup, member = run.setup, run.setup.member

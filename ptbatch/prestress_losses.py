@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 from ptbatch.response import ANCHORED, JACKED, SERVICE, SET, Response
 
+NOTHING = 1e-9  # of the stress: round-off
+
 
 class Loss(NamedTuple):
     """A cause: where it comes from, what it takes of the mean stress and what is left then [MPa]."""
@@ -23,7 +25,8 @@ def losses_by_cause(response: Response) -> Iterator[Loss]:
         if stage not in response.tendon:
             return
         mean = response.tendon[stage].mean
-        yield Loss(cause, analysed, left - mean, mean)
+        lost = left - mean
+        yield Loss(cause, analysed, lost if abs(lost) > NOTHING * response.fpj else 0.0, mean)
         left = mean
         if stage == JACKED:
             shortening = "none: all strands are pulled at once, and the jack measures it"

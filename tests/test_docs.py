@@ -4,11 +4,13 @@ links lead somewhere."""
 import csv
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
 from openpyxl import Workbook, load_workbook
 
+from examples.build import OFFICE
 from ptbatch.cli import exit_code
 
 ROOT = Path(__file__).parent.parent
@@ -31,7 +33,7 @@ def name(page: Path) -> str:
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A folder to work in that is empty but for the README's table of members."""
+    """A folder to work in that is empty but for the README's table of members and the office example."""
     lines = re.findall(r"^\| (.+) \|$", (ROOT / "README.md").read_text("utf-8"), re.M)
     rows = [line.split(" | ") for line in lines if line.count("|") == 11]
     assert [row[0] for row in rows] == ["member", "B1", "B2"]
@@ -42,6 +44,9 @@ def folder(tmp_path, monkeypatch):
     book.save(tmp_path / "beams.xlsx")
     with (tmp_path / "beams.csv").open("w", newline="") as file:
         csv.writer(file).writerows(rows)
+    (tmp_path / "examples").mkdir()
+    for workbook in OFFICE.values():
+        shutil.copy(ROOT / workbook, tmp_path / workbook)
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

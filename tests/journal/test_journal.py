@@ -15,8 +15,8 @@ NUMBERS = [0.1, 1 / 3, -0.0, 1e-300, float("inf"), 12345678.901234567, 7, "no cr
 
 
 def outcome(value=1.5) -> Outcome:
-    rows = [[dict.fromkeys(headers[1:], value)] * 2 for headers in DETAILS.values()]
-    return Outcome("ok", "a message", dict.fromkeys(SUMMARY, value), *rows)
+    rows = {name: [dict.fromkeys(headers[1:], value)] * 2 for name, headers in DETAILS.items()}
+    return Outcome("ok", "a message", dict.fromkeys(SUMMARY, value), **rows)
 
 
 def member(**changes) -> Member:

@@ -51,10 +51,10 @@ def results(source):
     """Its results; the member `stuck` finds no equilibrium under live load."""
     serve = analysis.serve
 
-    def stuck(run, refine):
+    def stuck(run, refine, loss):
         if run.setup.member.member == "stuck":
             raise stages.NoEquilibriumError(stages.LIVE, NO_EQUILIBRIUM, 0.25)
-        return serve(run, refine)
+        return serve(run, refine, loss)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(analysis, "serve", stuck)
