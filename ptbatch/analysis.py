@@ -56,7 +56,7 @@ def prepare(setup: Setup, fpj: float) -> Run:
             1e-9,
             1e-3,
             1e-6,
-            fpj * member.Aps,
+            fpj * member.intact_area,
             max(member.h, member.total_length / n),  # short elements turn round-off into moments
             1e-3 * max(member.span),
             BUDGET,
@@ -68,7 +68,7 @@ def prepare(setup: Setup, fpj: float) -> Run:
 def stress(run: Run) -> None:
     """Stages 1 to 3."""
     member, weight = run.setup.member, run.setup.self_weight
-    stages.jack(run.rig, run.fpj * member.Aps, weight)
+    stages.jack(run.rig, run.fpj * member.intact_area, weight)
     stages.set_wedges(run.rig, member.set, weight, run.losses.set_zone)
     stages.anchor(run.rig, weight)
 

@@ -83,6 +83,8 @@ class Member:
     w_live: float | None  # N/mm
     P_live: float | None  # N
     live_spans: tuple[int, ...]  # 1 = left
+    n_strands: int | None
+    n_strands_lost: int
     standard: str
     fci: float | None
     long_term_loss: float | None
@@ -124,6 +126,12 @@ class Member:
     def support_x(self) -> tuple[float, ...]:
         """x of the ends of all spans [mm], both ends of the member included."""
         return (0.0, *accumulate(self.span))
+
+    @cached_property
+    def intact_area(self) -> float:
+        """Area of the tendon without the strands that are lost [mm2]."""
+        whole = self.n_strands or 1
+        return self.Aps * (whole - self.n_strands_lost) / whole
 
     @property
     def supports(self) -> tuple[str, ...]:

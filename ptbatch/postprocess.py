@@ -160,7 +160,7 @@ def _service_rows(run: Run) -> NDArray[np.int64]:
 
 def _tendon_state(run: Run, row: float) -> TendonState:
     """The tendon at a recorded row, or between two."""
-    history, line, Aps = run.rig.case.history, run.setup.duct, run.setup.member.Aps
+    history, line, Aps = run.rig.case.history, run.setup.duct, run.setup.member.intact_area
     s, T, anchor = (_between(column, row) for column in (history.s, history.T, history.anchor))
     middle = np.clip(0.5 * (s[1:] + s[:-1]), line.s[0], line.s[-1])
     moved = s - run.start.s
@@ -186,7 +186,7 @@ def _elongations(run: Run, row: int) -> tuple[float, ...]:
     come out on it."""
     history, setup = run.rig.case.history, run.setup
     out = history.u[row][[0, -2]] - run.start.gap
-    strain = history.T[row][[0, -1]] / (setup.member.Aps * setup.member.Ep)
+    strain = history.T[row][[0, -1]] / (setup.member.intact_area * setup.member.Ep)
     if all(setup.live):
         out = out + np.array([1.0, -1.0]) * _slide(run, row)
     return tuple((out * (1.0 + strain))[list(setup.live)].tolist())
@@ -236,7 +236,7 @@ def _set_length(run: Run, jacked: int, after: int) -> float:
 
 def _curve(run: Run, rows: NDArray[np.int64], length: Array) -> Curve:
     history, setup = run.rig.case.history, run.setup
-    Aps = setup.member.Aps
+    Aps = setup.member.intact_area
     factor, u, T = history.factor[rows], history.u[rows], history.T[rows]
     up = node_values(u, len(setup.mesh.x), 1)[:, setup.mesh.control]
     ends = history.anchor[rows] / Aps

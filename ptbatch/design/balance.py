@@ -18,7 +18,7 @@ CLAUSE = "for information"
 def about_prestress(subject: Subject) -> Iterator[Check]:
     """Mean prestress, the load that it balances in each span, and the least radius of the tendon."""
     member = subject.member
-    P, area = subject.fse * member.Aps, gross_section(member).area
+    P, area = subject.fse * member.intact_area, gross_section(member).area
     values = (Value("P", P / 1e3, "kN"), Value("A", area, "mm2"))
     yield _info("mean prestress", "P / A", values, P / area, "MPa")
     for i, (span, share) in enumerate(zip(member.span, balanced(member), strict=True), 1):

@@ -48,7 +48,7 @@ def at_most(
     x: float | None = None,
 ) -> Check:  # fmt: skip
     """A demand that must not exceed a limit."""
-    used = demand / limit if limit > 0.0 else float("inf")
+    used = max(demand, 0.0) / limit if limit > 0.0 else float("inf")
     return Check(name, clause, formula, values, demand, limit, unit, used, PASS if used <= 1.0 else FAIL, x)
 
 

@@ -56,6 +56,6 @@ def elongations(member: Member, response: Response) -> list[Elongation]:
     if response.elongation_after is None:
         return []
     ends = ("left", "right") if member.jack == "both" else (member.jack,)
-    force = response.fpj * member.Aps
+    force = response.fpj * member.intact_area
     pairs = zip(ends, response.elongations, strict=True)
     return [Elongation(end, force, before, before - member.set) for end, before in pairs]

@@ -93,7 +93,7 @@ class Subject:
         weight, on = self_weight(member), live(member)
         dead = [*weight, *sustained(member)]
         x = stations(member, [*dead, *on], ())
-        force = np.array([self.effective(place) for place in x]) * member.Aps
+        force = np.array([self.effective(place) for place in x]) * member.intact_area
         primary = -force * (ideal_profile(member).depth(x) - gross_section(member).centroid)
         service = of_loads(member, x, on) if self.has_live else np.zeros_like(x)
         alone, all_dead = of_loads(member, x, weight), of_loads(member, x, dead)

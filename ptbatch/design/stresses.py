@@ -41,7 +41,7 @@ def fibres(subject: Subject, moments: Array, time_loss: float, share: float = 1.
     loss [MPa], or a share of it."""
     x, section = subject.moments.x, gross_section(subject.member)
     anchored = np.array([subject.effective(place) for place in x]) + subject.time_loss
-    P = share * (anchored - time_loss) * subject.member.Aps
+    P = share * (anchored - time_loss) * subject.member.intact_area
     e = ideal_profile(subject.member).depth(x) - section.centroid
     inner, mean = moments - P * e, -P / section.area
     up, down = section.centroid, section.h - section.centroid

@@ -39,7 +39,7 @@ def compression_at_tendon(subject: Subject) -> float:
     member, moments, section = subject.member, subject.moments, gross_section(subject.member)
     x = moments.x
     e = ideal_profile(member).depth(x) - section.centroid
-    P = np.array([subject.effective(place) for place in x]) * member.Aps
+    P = np.array([subject.effective(place) for place in x]) * member.intact_area
     sustained = moments.dead + member.live_sustained * moments.live + moments.secondary
     stress = P / section.area + (P * e - sustained) * e / section.inertia
     if member.bond == "unbonded":
@@ -67,6 +67,6 @@ def by_ec2(subject: Subject, RH: float) -> TimeLoss:
     relaxed = ec2.relaxation(subject.fse / member.fpu, ec2.FOR_GOOD, CLASSES[member.relaxation]) * subject.fse
     e = ideal_profile(member).depth(subject.moments.x) - section.centroid
     zcp = float(np.sqrt(np.mean(e**2))) if member.bond == "unbonded" else float(np.abs(e).max())
-    steel, concrete = (member.Ep, ec2.modulus(fck), member.Aps), (section.area, section.inertia, zcp)
+    steel, concrete = (member.Ep, ec2.modulus(fck), member.intact_area), (section.area, section.inertia, zcp)
     shrinkage = dried[0] - dried[1] + own
     return ec2.losses(compression_at_tendon(subject), *steel, *concrete, phi, shrinkage, relaxed)

@@ -145,7 +145,7 @@ def strand(member: Member) -> Strand:
 
         R = float(brentq(miss, 1.0, 400.0)) if miss(1.0) < 0.0 < miss(400.0) else 100.0
     return Strand(
-        member.Aps,
+        member.intact_area,
         TENDON_LAWS[member.tendon_law],
         member.Ep,
         member.fpy,
@@ -163,4 +163,4 @@ def penalty(member: Member, element: float) -> float:
     Stiff enough that slip before friction is mobilised and the tendon's stand-off from the duct are microns;
     far from the round-off floor.
     """
-    return 100.0 * member.Ep * member.Aps / element
+    return 100.0 * member.Ep * member.intact_area / element

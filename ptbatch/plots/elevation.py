@@ -143,7 +143,7 @@ def _key(member: Member, system: System) -> list[Line2D]:
     )
     low, high = depths.min() * length[1], depths.max() * length[1]
     reach = f"{low:.4g}" if np.ptp(depths) < 1e-6 else f"{low:.4g} to {high:.4g}"
-    tendon = f"tendon {style.amount(member.Aps, 'mm2', system)} at {reach} {length[0]}"
+    tendon = f"tendon {style.amount(member.intact_area, 'mm2', system)} at {reach} {length[0]}"
     lines: list[tuple[str, str, float]] = [(tendon, style.TENDON, 1.6)]
     lines += [(f"bars {steel} {length[0]}", style.BARS, 1.0)] if steel else []
     dead = told(sustained(member), system)

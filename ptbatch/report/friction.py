@@ -14,14 +14,14 @@ from ptbatch.workbook.stored import Stored
 
 def friction_steps(stored: Stored, member: Member, losses: Losses) -> Iterator[Step]:
     """Eq. (38) from the (left) live end to the far end, or to where the curves of two live ends meet."""
-    friction, P0, far = losses.friction, losses.fpj * member.Aps / 1e3, _far(losses)
+    friction, P0, far = losses.friction, losses.fpj * member.intact_area / 1e3, _far(losses)
     words = Words(stored.system)
     both = len(friction.live) == 2
     angle, length = _way(losses, far)
     yield Step(
         "jacking force",
         "P₀ = fpj Aps",
-        f"{words.size(losses.fpj, 'MPa')} · {words.size(member.Aps, 'mm2')}",
+        f"{words.size(losses.fpj, 'MPa')} · {words.size(member.intact_area, 'mm2')}",
         words.amount(P0, "kN"),
         _force(stored, member, friction.ends[friction.live[0]]),
     )
@@ -65,4 +65,4 @@ def _force(stored: Stored, member: Member, x: float) -> str:
     if not len(jacked):
         return "not reached"
     at = np.abs(jacked.numbers("x [mm]") - x).argmin()
-    return Words(stored.system).amount(jacked.numbers("stress_fe [MPa]")[at] * member.Aps / 1e3, "kN")
+    return Words(stored.system).amount(jacked.numbers("stress_fe [MPa]")[at] * member.intact_area / 1e3, "kN")

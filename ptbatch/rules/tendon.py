@@ -21,6 +21,17 @@ def depths_counted(v: Values) -> Iterator[Fault]:
         yield Fault("dp", v["dp"], wrong, cure)
 
 
+@rule("n_strands_lost")
+def some_strands_left(v: Values) -> Iterator[Fault]:
+    """Lost strands are some of those that there are, but not all."""
+    lost, whole = v["n_strands_lost"], v.get("n_strands")
+    if lost and "n_strands" in v and whole is None:
+        yield Fault("n_strands", None, "missing, and n_strands_lost is given", "give n_strands")
+    elif whole is not None and lost >= whole:
+        wrong = f"of {counted(whole, 'strand')} none is left"
+        yield Fault("n_strands_lost", lost, wrong, "give fewer than n_strands")
+
+
 @rule("harp")
 def harps_in_order(v: Values) -> Iterator[Fault]:
     """Harping points from left to right."""
@@ -120,6 +131,7 @@ def set_leaves_stress(v: Values) -> Iterator[Fault]:
 
 RULES: tuple[Rule, ...] = (
     depths_counted,
+    some_strands_left,
     harps_in_order,
     inflection_before_midspan,
     points_run_through,

@@ -269,6 +269,14 @@ MEMBERS = (
         "integers",
         default=Derived("all", ("span",), lambda span: tuple(range(1, len(span) + 1))),
     ),
+    Column("n_strands", "strands that Aps is made of; needed with n_strands_lost", "integer"),
+    Column(
+        "n_strands_lost",
+        "strands of an existing member that are broken or cut: the member is analysed with the others alone",
+        "integer",
+        limit="not negative",
+        default=0,
+    ),
     Column(
         "standard",
         "code that the member is checked by, beside the analysis",

@@ -74,7 +74,7 @@ def _least_strength(subject: Subject) -> Iterator[Check]:
     member, section = subject.member, gross_section(subject.member)
     longest = max(range(len(member.span)), key=lambda i: member.span[i])
     x = member.support_x[longest] + 0.5 * member.span[longest]
-    P, S = subject.effective(x) * member.Aps, section.inertia / (section.h - section.centroid)
+    P, S = subject.effective(x) * member.intact_area, section.inertia / (section.h - section.centroid)
     e = float(ideal_profile(member).depth(np.array([x]))[0]) - section.centroid
     fr = flexure.modulus_of_rupture(member.fc)
     cracking = (fr + P / section.area) * S + P * e

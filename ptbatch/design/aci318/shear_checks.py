@@ -82,9 +82,9 @@ def _shear_at(subject: Subject, at: Section) -> Sheared:
     tension = [bar for bar in subject.bars(at.x) if subject.depth(bar.depth, sense) > 0.5 * member.h]
     As = sum(bar.area for bar in tension)
     fse = subject.effective(at.x) if member.bond == "bonded" else subject.fse
-    lever = [(member.Aps, dp), *((bar.area, subject.depth(bar.depth, sense)) for bar in tension)]
+    lever = [(member.intact_area, dp), *((bar.area, subject.depth(bar.depth, sense)) for bar in tension)]
     d = max(sum(a * y for a, y in lever) / sum(a for a, _ in lever), 0.8 * member.h)
-    good = shear.well_prestressed(member.Aps, fse, member.fpu, As, member.fy)
+    good = shear.well_prestressed(member.intact_area, fse, member.fpu, As, member.fy)
     if good:
         ratio = at.V * dp / abs(at.M) if at.M else 1.0
         Vc, formula = shear.approximate(member.fc, bw, d, ratio), "Vc by table 22.5.6.2"
@@ -97,7 +97,9 @@ def _shear_at(subject: Subject, at: Section) -> Sheared:
     values = (Value("bw", bw, "mm"), Value("d", d, "mm"), *told, Value("Vc", Vc / 1e3, "kN"))
     values += (Value("Vs", counted / 1e3, "kN"), Value("phi", shear.PHI))
     most = shear.PHI * (Vc + shear.largest(member.fc, bw, d))
-    least = shear.least_stirrups(member.fc, bw, d, member.fyt, (member.Aps, member.fpu) if good else None)
+    least = shear.least_stirrups(
+        member.fc, bw, d, member.fyt, (member.intact_area, member.fpu) if good else None
+    )
     return Sheared(at, shear.PHI * (Vc + counted), Vc, most, least, formula, values)
 
 
@@ -106,7 +108,7 @@ def _detailed(
 ) -> tuple[float, tuple[Value, ...]]:
     """Vc of a section with less prestress, from cracks in flexure and in the web."""
     member, section = subject.member, gross_section(subject.member)
-    P = subject.effective(at.x) * member.Aps
+    P = subject.effective(at.x) * member.intact_area
     profile = ideal_profile(member)
     e = sense * (float(profile.depth(np.array([at.x]))[0]) - section.centroid)
     yt = section.h - section.centroid if sense == SAGGING else section.centroid

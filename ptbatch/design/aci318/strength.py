@@ -11,7 +11,7 @@ def resistance(subject: Subject, x: float, sense: int) -> Resistance:
     """phi Mn and Mn at a place."""
     member = subject.member
     fps = nominal_stress(subject, x, sense)
-    steel = [Steel(subject.tendon_depth(x, sense), member.Aps, constant(fps))]
+    steel = [Steel(subject.tendon_depth(x, sense), member.intact_area, constant(fps))]
     steel += [
         Steel(subject.depth(bar.depth, sense), bar.area, elastic_plastic(member.Es, bar.fy))
         for bar in subject.bars(x)
@@ -33,7 +33,7 @@ def nominal_stress(subject: Subject, x: float, sense: int) -> float:
     if dp <= 0.5 * member.h or not tendon_stress.applies(fse, member.fpu):
         return fse
     width = subject.strips(sense)[0][1]
-    rho_p = member.Aps / (width * dp)
+    rho_p = member.intact_area / (width * dp)
     if member.bond == "unbonded":
         slender = subject.span_at(x) / member.h
         return tendon_stress.unbonded(fse, member.fc, rho_p, member.fpy, slender)

@@ -50,7 +50,7 @@ def _least_steel(subject: Subject) -> Iterator[Check]:
     longest = max(range(len(member.span)), key=lambda i: member.span[i])
     x = member.support_x[longest] + 0.5 * member.span[longest]
     bars = [bar for bar in subject.bars(x) if bar.depth > gross_section(member).centroid]
-    provided = sum(bar.area for bar in bars) + (member.Aps if member.bond == "bonded" else 0.0)
+    provided = sum(bar.area for bar in bars) + (member.intact_area if member.bond == "bonded" else 0.0)
     d = max([bar.depth for bar in bars], default=subject.tendon_depth(x, SAGGING))
     bt = member.b if member.shape == "rectangle" else member.bw or member.b
     required = flexure.least_reinforcement(member.fc, member.fy, bt, d)

@@ -64,8 +64,12 @@ def _crack_width(
     d = max((depth for _, depth in bars), default=0.0)
     if d <= 0.5 * member.h:
         return review(name, clause, "cracked, and without bars in the tension zone", told, x)
-    P, dp, Ecm = least * subject.effective(x) * member.Aps, subject.tendon_depth(x, sense), modulus(member.fc)
-    stiff = member.Ep * member.Aps if member.bond == "bonded" else 0.0
+    P, dp, Ecm = (
+        least * subject.effective(x) * member.intact_area,
+        subject.tendon_depth(x, sense),
+        modulus(member.fc),
+    )
+    stiff = member.Ep * member.intact_area if member.bond == "bonded" else 0.0
     found = cracks.cracked(subject.strips(sense), bars, Ecm, member.Es, (dp, stiff), P, abs(M))
     if found is None:
         return review(name, clause, "the cracked section has no equilibrium with elastic materials", told, x)

@@ -22,12 +22,12 @@ def shear_checks(subject: Subject, combinations: Sequence[Combination]) -> Itera
     worst: tuple[float, Section, float, tuple[Value, ...], str] | None = None
     for at in sections(subject, combinations, 0.8 * member.h):
         sense = SAGGING if at.M >= 0.0 else HOGGING
-        P = subject.effective(at.x) * member.Aps
+        P = subject.effective(at.x) * member.intact_area
         bars = [bar for bar in subject.bars(at.x) if subject.depth(bar.depth, sense) > 0.5 * member.h]
         Asl = sum(bar.area for bar in bars)
         d = max([subject.depth(bar.depth, sense) for bar in bars], default=subject.tendon_depth(at.x, sense))
         if member.bond == "bonded":
-            Asl, d = Asl + member.Aps, max(d, subject.tendon_depth(at.x, sense))
+            Asl, d = Asl + member.intact_area, max(d, subject.tendon_depth(at.x, sense))
         d = max(d, 0.5 * member.h)
         ends = profile.depth(np.array([at.x - SLOPE, at.x + SLOPE]))
         Vp = P * abs(float(ends[1] - ends[0])) / (2.0 * SLOPE)

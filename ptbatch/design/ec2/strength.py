@@ -26,7 +26,7 @@ def _moment(
     """Resistance [N mm], its numbers, and the stress of the tendon [MPa]."""
     member = subject.member
     tendon, dp = _tendon(subject, x, sense, gamma_s), subject.tendon_depth(x, sense)
-    steel = [Steel(dp, member.Aps, tendon)]
+    steel = [Steel(dp, member.intact_area, tendon)]
     steel += [
         Steel(subject.depth(bar.depth, sense), bar.area, elastic_plastic(member.Es, bar.fy / gamma_s))
         for bar in subject.bars(x)
