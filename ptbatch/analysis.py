@@ -6,7 +6,7 @@ from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
 from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
-from ptbatch.design.time_losses import time_loss
+from ptbatch.design.time_losses import takes_time, time_loss
 from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.member import Member
 from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
@@ -31,7 +31,7 @@ def analyse(member: Member, *, refine: int = 1) -> Response:
         stress(run)
         if member.fpe is not None:
             run = stress_to_mean(run, member.fpe)
-        loss = time_loss(anchored(run))
+        loss = time_loss(anchored(run)) if takes_time(member) else None
         ended = serve(run, refine, loss.total if loss else 0.0)
     except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none))

@@ -16,12 +16,14 @@ APART = 0.15  # of the code's strength: the analysis differs by more than that
 
 
 class Resistance(NamedTuple):
-    """Design strength and nominal strength [N mm], and the numbers that they come from."""
+    """Design strength and nominal strength [N mm], the numbers that they come from, and why they may not be
+    valid."""
 
     design: float
     nominal: float
     values: tuple[Value, ...]
     tendon_stress: float
+    doubt: str = ""
 
 
 Resists = Callable[[Subject, float, int], Resistance]
@@ -70,7 +72,7 @@ def _check(
     if made.outcome == FAIL:
         reason = "no steel in tension there" if strength.design <= 0.0 else ""
         return _with(made, FAIL, reason)
-    return unless(made, subject.doubt)
+    return unless(made, "; ".join(filter(None, (strength.doubt, subject.doubt))))
 
 
 def _with(check: Check, outcome: str, reason: str) -> Check:

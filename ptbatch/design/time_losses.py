@@ -14,6 +14,11 @@ CLASSES = {"normal": 1, "low": 2}  # of EN 1992-1-1
 YEAR = 365.0
 
 
+def takes_time(member: Member) -> bool:
+    """Whether anything is known of what time takes."""
+    return member.long_term_loss is not None or member.RH is not None
+
+
 def time_loss(anchored: Response) -> TimeLoss | None:
     """What time takes of an anchored tendon: the lump sum given, or creep, shrinkage and relaxation by the
     document that goes with the standard; None where neither that nor RH is given."""

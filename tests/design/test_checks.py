@@ -190,3 +190,24 @@ def test_service_stresses_by_en():
     assert found["compression, quasi-permanent"].limit == pytest.approx(0.45 * 40)
     assert found["tendon after losses"].limit == pytest.approx(0.75 * 1860)
     assert found["compression, characteristic"].outcome == "pass"
+
+
+def test_outside_a_clause_nothing_is_passed():
+    little = made(LIGHT, fpj=800)[2]["bending, sagging"]
+    assert little.outcome == "fail" or "fse is below 0.5 fpu" in little.reason
+    light = made(LIGHT, fpj=800, w_live=2)[2]["bending, sagging"]
+    assert light.outcome == "review" and "fse is below 0.5 fpu" in light.reason
+    strong = made(LIGHT, fc=100, concrete_law="parabola-rectangle", standard="EN 1992-1-1")[2][
+        "bending, sagging"
+    ]
+    assert strong.outcome == "review" and "12 to 90 MPa" in strong.reason
+
+
+def test_the_class_has_a_short_name(book):
+    row = {name: "; ".join(map(str, v)) if isinstance(v, tuple) else v for name, v in LIGHT.items()}
+    source = book(row | {"member": "B1", "standard": "ACI 318-19", "w_live": 25, "class": "U"})
+    batch = run_workbook(source)
+    told = [dict(zip(*pair, strict=True)) for pair in _rows(batch.path)]
+    (check,) = [one for one in told if one["check"] == "class"]
+    assert (check["outcome"], check["reason"]) == ("fail", "class C, not U")
+    assert not batch.inputs.extra_headers

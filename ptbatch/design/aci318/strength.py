@@ -6,11 +6,15 @@ from ptbatch.design.check import Value
 from ptbatch.design.flexure import Steel, constant, elastic_plastic, strength
 from ptbatch.design.sections import Subject
 
+TOO_LITTLE = "fse is below 0.5 fpu: fps by 20.3.2.3 and 20.3.2.4 does not hold, it is taken as fse"
+
 
 def resistance(subject: Subject, x: float, sense: int) -> Resistance:
     """phi Mn and Mn at a place."""
     member = subject.member
     fps = nominal_stress(subject, x, sense)
+    fse = subject.effective(x) if member.bond == "bonded" else subject.fse
+    doubt = "" if tendon_stress.applies(fse, member.fpu) else TOO_LITTLE
     steel = [Steel(subject.tendon_depth(x, sense), member.intact_area, constant(fps))]
     steel += [
         Steel(subject.depth(bar.depth, sense), bar.area, elastic_plastic(member.Es, bar.fy))
@@ -18,10 +22,10 @@ def resistance(subject: Subject, x: float, sense: int) -> Resistance:
     ]
     found = strength(subject.strips(sense), flexure.block(member.fc), steel)
     if found is None:
-        return Resistance(0.0, 0.0, (Value("fps", fps, "MPa"),), fps)
+        return Resistance(0.0, 0.0, (Value("fps", fps, "MPa"),), fps, doubt)
     phi = flexure.phi(found.deepest_strain)
     values = (Value("fps", fps, "MPa"), Value("c", found.c, "mm"), Value("phi", phi))
-    return Resistance(phi * found.moment, found.moment, values, fps)
+    return Resistance(phi * found.moment, found.moment, values, fps, doubt)
 
 
 def nominal_stress(subject: Subject, x: float, sense: int) -> float:

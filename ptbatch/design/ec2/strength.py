@@ -11,13 +11,16 @@ from ptbatch.design.flexure import Steel, constant, elastic_plastic, strength
 from ptbatch.design.sections import Subject
 
 GAMMA_S = 1.15
+STRENGTHS = 12.0, 90.0  # MPa, fck of table 3.1
+BEYOND = "fck is not within the 12 to 90 MPa of table 3.1"
 
 
 def resistance(subject: Subject, x: float, sense: int) -> Resistance:
     """MRd at a place, and the resistance without partial factors."""
     design, values, stress = _moment(subject, x, sense, 1.5, GAMMA_S)
     nominal, _, mean_stress = _moment(subject, x, sense, 1.0, 1.0)
-    return Resistance(design, nominal, values + (Value("sigma,p", stress, "MPa"),), mean_stress)
+    doubt = "" if STRENGTHS[0] <= subject.member.fc <= STRENGTHS[1] else BEYOND
+    return Resistance(design, nominal, values + (Value("sigma,p", stress, "MPa"),), mean_stress, doubt)
 
 
 def _moment(
