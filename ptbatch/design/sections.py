@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ptbatch.design.flexure import Strip
 from ptbatch.design.moments import of_loads, reactions, secondary, shears, stations
+from ptbatch.geometry.curve import Side
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Bar, Load, Member
@@ -20,7 +21,7 @@ Array = NDArray[np.float64]
 
 SAGGING, HOGGING = 1, -1
 TOLD = 6  # every so many stations
-SLOPE = 1.0  # mm to either side, for the slope of the tendon
+SIDES: tuple[Side, Side] = ("left", "right")
 NO_TIME = "without creep, shrinkage and relaxation of the tendon: give RH, or long_term_loss"
 
 
@@ -142,6 +143,19 @@ class Subject:
     def tendon_depth(self, x: float, sense: int) -> float:
         """Depth of the tendon below the compressed face [mm]."""
         return self.depth(float(ideal_profile(self.member).depth(x)), sense)
+
+    def slope(self, x: float) -> float:
+        """Slope of the tendon, falling to the right positive; the mean of both sides at a kink."""
+        profile = ideal_profile(self.member)
+        before, after = (float(profile.slope(np.array(x), side)) for side in SIDES)
+        return 0.5 * (before + after)
+
+    @property
+    def middle(self) -> float:
+        """The middle of the longest span [mm]."""
+        member = self.member
+        longest = max(range(len(member.span)), key=lambda i: member.span[i])
+        return member.support_x[longest] + 0.5 * member.span[longest]
 
     def bars(self, x: float) -> list[Bar]:
         """Bars at a place."""

@@ -21,6 +21,7 @@ class Section(NamedTuple):
     M: float
     V_dead: float
     M_dead: float
+    sign: float  # of the shear, dM/dx positive
 
 
 def sections(subject: Subject, combinations: Sequence[Combination], clear: float) -> Iterator[Section]:
@@ -42,6 +43,7 @@ def sections(subject: Subject, combinations: Sequence[Combination], clear: float
                 float(M[i]),
                 float(sign * dead[i, side]),
                 float(moments.dead[i]),
+                sign,
             )
 
 

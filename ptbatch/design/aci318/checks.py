@@ -58,8 +58,7 @@ def _least_steel(subject: Subject) -> Iterator[Check]:
     member = subject.member
     if member.bond != "unbonded":
         return
-    longest = max(range(len(member.span)), key=lambda i: member.span[i])
-    x = member.support_x[longest] + 0.5 * member.span[longest]
+    x = subject.middle
     section = gross_section(member)
     tension, _ = compressed(subject.strips(-SAGGING), member.h - section.centroid)
     provided = sum(bar.area for bar in subject.bars(x) if bar.depth > section.centroid)
@@ -72,8 +71,7 @@ def _least_steel(subject: Subject) -> Iterator[Check]:
 def _least_strength(subject: Subject) -> Iterator[Check]:
     """Strength beyond cracking, where the longest span bends most; asked for where the tendon is bonded."""
     member, section = subject.member, gross_section(subject.member)
-    longest = max(range(len(member.span)), key=lambda i: member.span[i])
-    x = member.support_x[longest] + 0.5 * member.span[longest]
+    x = subject.middle
     P, S = subject.effective(x) * member.intact_area, section.inertia / (section.h - section.centroid)
     e = float(ideal_profile(member).depth(np.array([x]))[0]) - section.centroid
     fr = flexure.modulus_of_rupture(member.fc)

@@ -7,7 +7,7 @@ import numpy as np
 
 from ptbatch.design.aci318 import shear
 from ptbatch.design.check import Check, Value, at_least, at_most, unless
-from ptbatch.design.sections import HOGGING, SAGGING, SLOPE, Combination, Subject
+from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 from ptbatch.design.shear import Section, if_told, sections, web
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
@@ -117,8 +117,7 @@ def _detailed(
     Vci = shear.flexure_shear(
         member.fc, bw, dp, at.V_dead, at.V - at.V_dead, M_cre, sense * (at.M - at.M_dead)
     )
-    ends = profile.depth(np.array([at.x - SLOPE, at.x + SLOPE]))
-    Vp = P * abs(float(ends[1] - ends[0])) / (2.0 * SLOPE)
+    Vp = P * at.sign * subject.slope(at.x)
     Vcw = shear.web_shear(member.fc, bw, dp, P / section.area, Vp)
     told = Value("Vci", Vci / 1e3, "kN"), Value("Vcw", Vcw / 1e3, "kN")
     return min(Vci, Vcw), tuple(value for value in told if np.isfinite(value.value))

@@ -47,8 +47,7 @@ def _stressing(subject: Subject) -> Iterator[Check]:
 def _least_steel(subject: Subject) -> Iterator[Check]:
     """Bars in the middle of the longest span; a bonded tendon counts with its area."""
     member = subject.member
-    longest = max(range(len(member.span)), key=lambda i: member.span[i])
-    x = member.support_x[longest] + 0.5 * member.span[longest]
+    x = subject.middle
     bars = [bar for bar in subject.bars(x) if bar.depth > gross_section(member).centroid]
     provided = sum(bar.area for bar in bars) + (member.intact_area if member.bond == "bonded" else 0.0)
     d = max([bar.depth for bar in bars], default=subject.tendon_depth(x, SAGGING))

@@ -2,13 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-
 from ptbatch.design.check import Check, Value, at_least, at_most, unless
 from ptbatch.design.ec2 import shear
-from ptbatch.design.sections import HOGGING, SAGGING, SLOPE, Combination, Subject
+from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 from ptbatch.design.shear import Section, if_told, sections, web
-from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
 
 PER = 1000.0  # mm, spacing for which least stirrups are told where there are none
@@ -18,7 +15,7 @@ def shear_checks(subject: Subject, combinations: Sequence[Combination]) -> Itera
     """The section that is used most by shear, one effective depth from the supports and further, and the
     least stirrups of a beam. The vertical part of the prestress counts with VEd."""
     member, gross = subject.member, gross_section(subject.member)
-    bw, profile = web(subject), ideal_profile(subject.member)
+    bw = web(subject)
     worst: tuple[float, Section, float, tuple[Value, ...], str] | None = None
     for at in sections(subject, combinations, 0.8 * member.h):
         sense = SAGGING if at.M >= 0.0 else HOGGING
@@ -29,8 +26,7 @@ def shear_checks(subject: Subject, combinations: Sequence[Combination]) -> Itera
         if member.bond == "bonded":
             Asl, d = Asl + member.intact_area, max(d, subject.tendon_depth(at.x, sense))
         d = max(d, 0.5 * member.h)
-        ends = profile.depth(np.array([at.x - SLOPE, at.x + SLOPE]))
-        Vp = P * abs(float(ends[1] - ends[0])) / (2.0 * SLOPE)
+        Vp = P * at.sign * subject.slope(at.x)
         alone = shear.without_stirrups(member.fc, bw, d, Asl / (bw * d), P / gross.area)
         strength, formula = alone, "VEd <= VRd,c (6.2)"
         if member.s and member.Av:
@@ -38,7 +34,7 @@ def shear_checks(subject: Subject, combinations: Sequence[Combination]) -> Itera
             tied = shear.with_stirrups(member.fc, bw, 0.9 * d, *given)
             if tied > alone:
                 strength, formula = tied, "VEd <= min(VRd,s, VRd,max) (6.8), (6.9)"
-        V = max(at.V - Vp, 0.0)
+        V = abs(at.V - Vp)
         if worst is None or V / strength > worst[0]:
             put_in = [
                 ("bw", bw, "mm"),

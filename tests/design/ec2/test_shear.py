@@ -40,5 +40,16 @@ def test_of_a_member():
     numbers = {value.symbol: value.value for value in found["shear"].values}
     w = 1.35 * (24e-6 * 300 * 600 + 5) + 1.5 * 10
     assert numbers["V"] == pytest.approx(w * abs(4500 - found["shear"].x) / 1e3, rel=1e-6)
-    assert found["shear"].demand == pytest.approx(max(numbers["V"] - numbers["Vp"], 0.0))
+    assert found["shear"].demand == pytest.approx(abs(numbers["V"] - numbers["Vp"]))
     assert found["least stirrups"].demand == pytest.approx(0.08 * 40**0.5 / 420 * 300 * 200)
+
+
+def test_a_tendon_that_falls_the_wrong_way_adds_to_the_shear():
+    """A straight line from one side to the other helps at one end, and harms at the other."""
+    sloping = dict(profile="harped", dp=(200, 300, 400), harp=0.5)
+    numbers = {}
+    for dp in ((200, 300, 400), (400, 300, 200)):
+        found = made(LIGHT, **sloping | dict(dp=dp), standard="EN 1992-1-1")[2]["shear"]
+        numbers[dp] = {value.symbol: value.value for value in found.values} | {"x": found.x}
+    assert all(one["Vp"] < 0.0 for one in numbers.values())  # the worst is where it harms
+    assert numbers[(200, 300, 400)]["x"] > 4500 > numbers[(400, 300, 200)]["x"]
