@@ -1,6 +1,8 @@
 """Cover of the tendon."""
 
-from ptbatch.design.check import Check, Value, at_least, unless
+from dataclasses import replace
+
+from ptbatch.design.check import INFO, PASS, Check, Value, at_least
 from ptbatch.design.sections import Subject
 from ptbatch.geometry.profile import ideal_profile
 
@@ -9,7 +11,7 @@ TO_AXIS = "counted to the tendon's axis: give duct"
 
 def cover(subject: Subject, clause: str, required: float) -> Check:
     """Least clear cover of the tendon inside the member, above and below; required [mm] unless the member
-    names its own."""
+    names its own. Without the size of the duct it cannot be passed, but told."""
     member = subject.member
     x = subject.moments.x
     depth = ideal_profile(member).depth(x)
@@ -18,4 +20,6 @@ def cover(subject: Subject, clause: str, required: float) -> Check:
     wanted = required if member.cover is None else member.cover
     values = (Value("depth", float(depth[at]), "mm"), Value("duct", member.duct or 0.0, "mm"))
     made = at_least("cover", clause, "cover >= required", values, clear, wanted, "mm", float(x[at]))
-    return unless(made, "" if member.duct else TO_AXIS)
+    if member.duct or made.outcome != PASS:
+        return made
+    return replace(made, outcome=INFO, utilisation=None, reason=TO_AXIS)
