@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most, unless
-from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
+from ptbatch.design.sections import HOGGING, SAGGING, Array, Combination, Subject
 
 WORDS = {SAGGING: "sagging", HOGGING: "hogging"}
 CHECKED = 12  # every so many stations, and the supports
@@ -35,7 +35,7 @@ def bending(
     """The section that is used most, for either sense of the moment; none where that sense does not occur."""
     found = []
     moments = subject.moments
-    factored = [g * moments.dead + q * moments.live + moments.secondary for g, q in combinations]
+    factored = _factored(subject, combinations)
     places = _places(subject)
     for sense in (SAGGING, HOGGING):
         demand = np.max([sense * moment for moment in factored], axis=0)
@@ -48,6 +48,12 @@ def bending(
         )
         found.append(_check(subject, clause, formula, sense, worst, float(demand[worst]), strengths[worst]))
     return found
+
+
+def _factored(subject: Subject, combinations: Sequence[Combination]) -> list[Array]:
+    """Moments (stations,) of each combination [N mm]."""
+    moments = subject.moments
+    return [g * moments.dead + q * moments.live + moments.secondary for g, q in combinations]
 
 
 def _places(subject: Subject) -> list[int]:
@@ -79,8 +85,11 @@ def _with(check: Check, outcome: str, reason: str) -> Check:
     return replace(check, outcome=outcome, reason=reason)
 
 
-def two_views(subject: Subject, clause: str, resists: Resists) -> list[Check]:
-    """The code's nominal strength beside the analysis' moment, at the section of the peak."""
+def two_views(
+    subject: Subject, clause: str, resists: Resists, combinations: Sequence[Combination]
+) -> list[Check]:
+    """The code's nominal strength beside the analysis' moment, at the section of the peak, and the factored
+    moment over either with the code's safety."""
     response = subject.response
     peak, state, curve = response.event("peak"), response.tendon.get("peak"), response.curve
     if peak is None or state is None or curve is None:
@@ -93,11 +102,15 @@ def two_views(subject: Subject, clause: str, resists: Resists) -> list[Check]:
         return []
     analysis = curve.at(peak.step, np.abs(curve.moment_max))
     stress = state.mean if subject.member.bond == "unbonded" else state.most
+    demand = max(sense * float(np.interp(x, subject.moments.x, m)) for m in _factored(subject, combinations))
+    safety = code.design / code.nominal
     values = (
         Value("fps, code", code.tendon_stress, "MPa"),
         Value("fps, analysis", stress, "MPa"),
         Value("Mn, code", code.nominal / 1e6, "kN m"),
         Value("M, analysis", analysis / 1e6, "kN m"),
+        Value("used, code", demand / code.design),
+        Value("used, analysis", demand / (safety * analysis)),
     )
     ratio = analysis / code.nominal
     numbers = analysis / 1e6, code.nominal / 1e6, "kN m", None

@@ -120,6 +120,10 @@ def test_two_views_agree_within_a_reason():
         response.curve.at(response.event("peak").step, response.curve.moment_max) / 1e6
     )
     assert check.outcome in ("info", "review") and (check.outcome == "info" or "lower, by" in check.reason)
+    numbers = {value.symbol: value.value for value in check.values}
+    assert numbers["used, code"] == pytest.approx(found["bending, sagging"].utilisation, rel=0.02)
+    ratio = numbers["M, analysis"] / numbers["Mn, code"]
+    assert numbers["used, analysis"] == pytest.approx(numbers["used, code"] / ratio)
 
 
 def test_the_gravest_outcome_counts():

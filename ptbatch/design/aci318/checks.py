@@ -37,7 +37,7 @@ def checks(subject: Subject) -> Iterator[Check]:
     yield cover(
         subject, "ACI 318-19 20.5.1.3", specified(subject.member.exposure, subject.member.kind == "slab")
     )
-    yield from two_views(subject, "ACI 318-19 22.3", resistance)
+    yield from two_views(subject, "ACI 318-19 22.3", resistance, combinations)
 
 
 def _stressing(subject: Subject) -> Iterator[Check]:

@@ -30,7 +30,7 @@ def checks(subject: Subject) -> Iterator[Check]:
     yield from deflections(subject)
     duct = subject.member.duct or 0.0
     yield cover(subject, "EN 1992-1-1 4.4.1", nominal(subject.member.exposure, duct))
-    yield from two_views(subject, "EN 1992-1-1 6.1", resistance)
+    yield from two_views(subject, "EN 1992-1-1 6.1", resistance, combinations)
 
 
 def _stressing(subject: Subject) -> Iterator[Check]:
