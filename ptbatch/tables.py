@@ -269,20 +269,13 @@ def moment_rows(member: Member, response: Response) -> Iterator[Row]:
     if member.standard == "none" or ANCHORED not in response.tendon:
         return
     moments = Subject(member, response).moments
+    names = ("weight", "dead", "live", "live_most", "live_least", "primary", "secondary")
+    headers = [header for header in MOMENTS if header.endswith("[kN m]")]
     for i in moments.told:
         service = moments.dead[i] + moments.live[i] + moments.secondary[i]
-        parts = (
-            moments.weight[i],
-            moments.dead[i],
-            moments.live[i],
-            moments.primary[i],
-            moments.secondary[i],
-        )
-        names = (header for header in MOMENTS if header.endswith("[kN m]"))
-        places: Row = {"member": member.member, "x [mm]": float(moments.x[i])}
-        yield places | {
-            name: float(value) / 1e6 for name, value in zip(names, (*parts, service), strict=True)
-        }
+        values = (*(getattr(moments, name)[i] for name in names), service)
+        told = {header: float(value) / 1e6 for header, value in zip(headers, values, strict=True)}
+        yield {"member": member.member, "x [mm]": float(moments.x[i]), **told}
 
 
 def reaction_rows(member: Member, response: Response) -> Iterator[Row]:

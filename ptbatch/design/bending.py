@@ -35,10 +35,9 @@ def bending(
     """The section that is used most, for either sense of the moment; none where that sense does not occur."""
     found = []
     moments = subject.moments
-    factored = _factored(subject, combinations)
     places = _places(subject)
     for sense in (SAGGING, HOGGING):
-        demand = np.max([sense * moment for moment in factored], axis=0)
+        demand = _demand(subject, combinations, sense)
         at = [i for i in places if demand[i] > 1e-6 * np.abs(demand).max()]
         if not at:
             continue
@@ -50,16 +49,19 @@ def bending(
     return found
 
 
-def _factored(subject: Subject, combinations: Sequence[Combination]) -> list[Array]:
-    """Moments (stations,) of each combination [N mm]."""
+def _demand(subject: Subject, combinations: Sequence[Combination], sense: int) -> Array:
+    """Largest factored moments (stations,) of a sense [N mm], the live load on the spans where it counts."""
     moments = subject.moments
-    return [g * moments.dead + q * moments.live + moments.secondary for g, q in combinations]
+    live = moments.live_for(sense)
+    factored = [g * moments.dead + q * live + moments.secondary for g, q in combinations]
+    return np.asarray(np.max([sense * moment for moment in factored], axis=0))
 
 
 def _places(subject: Subject) -> list[int]:
     x, supports = subject.moments.x, subject.member.support_x
     near = [int(np.abs(x - place).argmin()) for place in supports]
-    most = [int(np.abs(part).argmax()) for part in (subject.moments.dead, subject.moments.live)]
+    moments = subject.moments
+    most = [int(np.abs(part).argmax()) for part in (moments.dead, moments.live_most, moments.live_least)]
     return sorted({*range(0, len(x), CHECKED), *near, *most})
 
 
@@ -67,7 +69,11 @@ def _check(
     subject: Subject, clause: str, formula: str, sense: int, i: int, demand: float, strength: Resistance
 ) -> Check:
     moments = subject.moments
-    parts = (("M,dead", moments.dead), ("M,live", moments.live), ("M,secondary", moments.secondary))
+    parts = (
+        ("M,dead", moments.dead),
+        ("M,live", moments.live_for(sense)),
+        ("M,secondary", moments.secondary),
+    )
     told = [(name, float(m[i]) / 1e6) for name, m in parts]
     values = tuple(Value(name, m if abs(m) > NOTHING * demand / 1e6 else 0.0, "kN m") for name, m in told)
     values += strength.values
@@ -102,7 +108,7 @@ def two_views(
         return []
     analysis = curve.at(peak.step, np.abs(curve.moment_max))
     stress = state.mean if subject.member.bond == "unbonded" else state.most
-    demand = max(sense * float(np.interp(x, subject.moments.x, m)) for m in _factored(subject, combinations))
+    demand = float(np.interp(x, subject.moments.x, _demand(subject, combinations, sense)))
     safety = code.design / code.nominal
     values = (
         Value("fps, code", code.tendon_stress, "MPa"),

@@ -14,7 +14,7 @@ from ptbatch.geometry.curve import Side
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Bar, Load, Member
-from ptbatch.model.loading import has_service_value, live, self_weight, sustained
+from ptbatch.model.loading import by_span, has_service_value, live, self_weight, sustained
 from ptbatch.response import ANCHORED, Response
 
 Array = NDArray[np.float64]
@@ -30,16 +30,23 @@ Combination = tuple[float, float]  # factors of dead and live load; secondary mo
 
 class Moments(NamedTuple):
     """Elastic moments [N mm] at stations x [mm]: of the self-weight, of all dead load, of the live load at
-    its service value (zero where none was given), primary (- P e) and secondary ones of the prestress. told:
-    which of the stations a table shows."""
+    its service value (zero where none was given) and of that load on the spans where it makes the largest and
+    the least moment, primary (- P e) and secondary ones of the prestress. told: which of the stations a table
+    shows."""
 
     x: Array
     weight: Array
     dead: Array
     live: Array
+    live_most: Array
+    live_least: Array
     primary: Array
     secondary: Array
     told: list[int]
+
+    def live_for(self, sense: int) -> Array:
+        """Live load where it makes the largest moment of a sense."""
+        return self.live_most if sense == SAGGING else self.live_least
 
 
 @dataclass(frozen=True)
@@ -91,16 +98,32 @@ class Subject:
     def moments(self) -> Moments:
         """Moments at supports, at the nodes of the elements and where loads begin."""
         member = self.member
-        weight, on = self_weight(member), live(member)
+        weight, x = self_weight(member), self._stations
         dead = [*weight, *sustained(member)]
-        x = stations(member, [*dead, *on], ())
         force = np.array([self.effective(place) for place in x]) * member.intact_area
         primary = -force * (ideal_profile(member).depth(x) - gross_section(member).centroid)
-        service = of_loads(member, x, on) if self.has_live else np.zeros_like(x)
+        parts = self.live_parts[0]
+        most, least = (np.sum(clip(parts, 0.0), axis=0) for clip in (np.maximum, np.minimum))
         alone, all_dead = of_loads(member, x, weight), of_loads(member, x, dead)
         near = [int(np.abs(x - place).argmin()) for place in member.support_x]
         told = sorted({*range(0, len(x), TOLD), *near})
-        return Moments(x, alone, all_dead, service, primary, secondary(member, x, primary), told)
+        lives = parts.sum(axis=0), most, least
+        return Moments(x, alone, all_dead, *lives, primary, secondary(member, x, primary), told)
+
+    @cached_property
+    def _stations(self) -> Array:
+        member = self.member
+        return stations(member, [*self_weight(member), *sustained(member), *live(member)], ())
+
+    @cached_property
+    def live_parts(self) -> tuple[Array, Array]:
+        """Moments (spans, stations) [N mm] and shears (spans, stations, 2) [N] of the live load on one span
+        after the other."""
+        member, x = self.member, self._stations
+        spans = by_span(member, live(member) if self.has_live else [])
+        m = [of_loads(member, x, on) if on else np.zeros_like(x) for on in spans]
+        v = [shears(x, moments, on) for moments, on in zip(m, spans, strict=True)]
+        return np.array(m), np.array(v)
 
     @cached_property
     def loads(self) -> dict[str, list[Load]]:

@@ -1,6 +1,7 @@
 """Shear along a member, whatever the code: factored forces beside the moments that go with them."""
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -25,26 +26,24 @@ class Section(NamedTuple):
 
 
 def sections(subject: Subject, combinations: Sequence[Combination], clear: float) -> Iterator[Section]:
-    """Every station that is at least so far [mm] from the supports, on the side where the shear is larger."""
+    """Every station that is at least so far [mm] from the supports, for either sense of the shear, with the
+    live load on the spans where it counts, on the side where it is larger."""
     moments, shears, member = subject.moments, subject.shears, subject.member
     x = moments.x
     held = [place for place, kind in zip(member.support_x, member.supports, strict=True) if kind != "free"]
     far = np.min(np.abs(x[:, None] - np.array(held)), axis=1) >= clear - 1e-6
-    dead, live, secondary = shears["dead"], shears["live"], shears["secondary"]
-    for g, q in combinations:
-        V = g * dead + q * live + secondary
-        M = g * moments.dead + q * moments.live + moments.secondary
-        for i in np.flatnonzero(far):
-            side = int(np.abs(V[i]).argmax())
-            sign = 1.0 if V[i, side] >= 0.0 else -1.0
-            yield Section(
-                float(x[i]),
-                float(abs(V[i, side])),
-                float(M[i]),
-                float(sign * dead[i, side]),
-                float(moments.dead[i]),
-                sign,
-            )
+    dead, secondary = shears["dead"], shears["secondary"]
+    live_moments, live_shears = subject.live_parts
+    for (g, q), sign in product(combinations, (1.0, -1.0)):
+        counts = sign * live_shears > 0.0
+        V = sign * (g * dead + q * np.sum(live_shears * counts, axis=0) + secondary)
+        live = np.sum(live_moments[..., None] * counts, axis=0)
+        M = (g * moments.dead + moments.secondary)[:, None] + q * live
+        side = V.argmax(axis=1)
+        for i in np.flatnonzero(far & (V.max(axis=1) >= 0.0)):
+            at = i, side[i]
+            there = float(x[i]), float(V[at]), float(M[at])
+            yield Section(*there, float(sign * dead[at]), float(moments.dead[i]), sign)
 
 
 def if_told(subject: Subject, made: Check) -> Check:

@@ -13,11 +13,12 @@ Array = NDArray[np.float64]
 
 
 class Fibres(NamedTuple):
-    """Stresses [MPa] at stations x [mm], tension positive."""
+    """Stresses [MPa] at stations x [mm], tension positive, and the external moments [N mm] that make them."""
 
     x: Array
     top: Array
     bottom: Array
+    moments: Array
 
     @property
     def compression(self) -> tuple[float, float]:
@@ -33,7 +34,7 @@ class Fibres(NamedTuple):
 
     def within(self, inside: NDArray[np.bool_]) -> "Fibres":
         """A part of the stations."""
-        return Fibres(self.x[inside], self.top[inside], self.bottom[inside])
+        return Fibres(*(values[inside] for values in self))
 
 
 def fibres(subject: Subject, moments: Array, time_loss: float, share: float = 1.0) -> Fibres:
@@ -45,4 +46,15 @@ def fibres(subject: Subject, moments: Array, time_loss: float, share: float = 1.
     e = ideal_profile(subject.member).depth(x) - section.centroid
     inner, mean = moments - P * e, -P / section.area
     up, down = section.centroid, section.h - section.centroid
-    return Fibres(x, mean - inner * up / section.inertia, mean + inner * down / section.inertia)
+    return Fibres(x, mean - inner * up / section.inertia, mean + inner * down / section.inertia, moments)
+
+
+def enveloped(subject: Subject, others: Array, live: float, time_loss: float, share: float = 1.0) -> Fibres:
+    """The same with a part of the live load, on the spans where it makes the largest moments and where it
+    makes the least: one after the other."""
+    moments = subject.moments
+    cases = [
+        fibres(subject, others + live * part, time_loss, share)
+        for part in (moments.live_most, moments.live_least)
+    ]
+    return Fibres(*(np.concatenate(values) for values in zip(*cases, strict=True)))

@@ -41,3 +41,17 @@ def has_service_value(member: Member) -> bool:
 def total(loads: list[Load]) -> float:
     """Sum of downward loads in N."""
     return sum(load.value * (1.0 if load.type == "point" else load.x_end - load.x) for load in loads)
+
+
+def by_span(member: Member, loads: list[Load]) -> list[list[Load]]:
+    """Loads of each span, cut at its supports; a point load on a support counts with the span left of it."""
+    ends = list(zip(member.support_x, member.support_x[1:], strict=False))
+    parts: list[list[Load]] = [[] for _ in ends]
+    for load in loads:
+        for part, (a, b) in zip(parts, ends, strict=True):
+            if load.type == "point":
+                if a < load.x <= b or load.x == a == 0.0:
+                    part.append(load)
+            elif min(load.x_end, b) > max(load.x, a):
+                part.append(load._replace(x=max(load.x, a), x_end=min(load.x_end, b)))
+    return parts

@@ -77,6 +77,8 @@ MEANINGS: Mapping[str, Mapping[str, str]] = {
         "self_weight": "of the member's own weight",
         "dead": "of all sustained load, self-weight included",
         "live": "of the live load at its service value",
+        "live_max": "of the same, on the spans where it makes the largest moment here",
+        "live_min": "of the same, on the spans where it makes the least (or the most hogging) one",
         "primary": "of the prestress: its force times its eccentricity, after all losses",
         "secondary": "of the reactions that the prestress causes",
         "service": "dead + live + secondary: what the section has to bear, the tendon being part of it",

@@ -91,6 +91,8 @@ MOMENTS = (
     "self_weight [kN m]",
     "dead [kN m]",
     "live [kN m]",
+    "live_max [kN m]",
+    "live_min [kN m]",
     "primary [kN m]",
     "secondary [kN m]",
     "service [kN m]",

@@ -9,7 +9,7 @@ from ptbatch.design.aci318 import service
 from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most, review, unless
 from ptbatch.design.deflections import elastic, live_by_analysis, worst
 from ptbatch.design.sections import NO_TIME, Subject
-from ptbatch.design.stresses import fibres
+from ptbatch.design.stresses import enveloped, fibres
 
 CLASSES = "UTC"  # the first is the strictest
 
@@ -48,7 +48,7 @@ def in_service(subject: Subject) -> Iterator[Check]:
     strength = (Value("fc", member.fc, "MPa"), Value("fse", subject.fse, "MPa"))
     loads = (("sustained", member.live_sustained, True), ("total", 1.0, False))
     for name, share, sustained in loads:
-        found = fibres(subject, dead + share * moments.live, subject.time_loss)
+        found = enveloped(subject, dead, share, subject.time_loss)
         stress, x = found.compression
         limit, factor = service.service_compression(member.fc, sustained), "0.45" if sustained else "0.60"
         clause, formula = "ACI 318-19 24.5.4.1", f"fc <= {factor} fc'"
@@ -96,9 +96,8 @@ def deflections(subject: Subject) -> Iterator[Check]:
     limit = span / member.deflection_total
     name = "deflection, long-term"
     made = at_most(name, "ACI 318-19 24.2.4.2", formula, values, size, limit, "mm", x)
-    tension = fibres(
-        subject, subject.moments.dead + subject.moments.secondary + subject.moments.live, subject.time_loss
-    )
+    dead = subject.moments.dead + subject.moments.secondary
+    tension = enveloped(subject, dead, 1.0, subject.time_loss)
     cracked = service.service_class(tension.tension[0], member.fc) != "U"
     doubts = [] if subject.timely else [NO_TIME]
     doubts += ["not class U: of the uncracked section"] if cracked else []

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from ptbatch.design.ec2.cover import exposure_class
 from ptbatch.design.flexure import compressed
 from ptbatch.design.longterm.ec2 import modulus
 from ptbatch.design.sections import HOGGING, NO_TIME, SAGGING, Subject
-from ptbatch.design.stresses import fibres
+from ptbatch.design.stresses import enveloped
 
 
 def cracking(subject: Subject) -> Iterator[Check]:
@@ -25,7 +26,7 @@ def cracking(subject: Subject) -> Iterator[Check]:
         decompressed = "quasi-permanent" if exposure in cracks.OTHER else "frequent"
     doubt = "" if subject.timely else NO_TIME
     if decompressed:
-        stress, x = tension(subject, shares[decompressed], least)
+        stress, x, *_ = tension(subject, shares[decompressed], least)
         name, formula = f"decompression, {decompressed}", "no tension at the face"
         values = (Value("rinf", least), Value("sigma,c", stress, "MPa"))
         numbers = Check(name, "EN 1992-1-1 table 7.1N", formula, values, stress, 0.0, "MPa", None, PASS, x)
@@ -34,7 +35,8 @@ def cracking(subject: Subject) -> Iterator[Check]:
     if limit is None:
         return
     under = "quasi-permanent" if member.bond == "unbonded" else "frequent"
-    stress, x = tension(subject, shares[under], least)
+    found = tension(subject, shares[under], least)
+    stress, x = found.stress, found.x
     strength = flexure.fctm(member.fc)
     name, clause = f"crack width, {under}", "EN 1992-1-1 7.3.4"
     told = Value("sigma,ct", stress, "MPa"), Value("fctm", strength, "MPa")
@@ -42,24 +44,34 @@ def cracking(subject: Subject) -> Iterator[Check]:
         made = at_most(name, "EN 1992-1-1 7.3.1", "uncracked: sigma,ct <= fctm", told, 0.0, limit, "mm", x)
         yield unless(made, doubt)
         return
-    yield _crack_width(subject, name, clause, x, shares[under], least, limit, told)
+    yield _crack_width(subject, name, clause, found, least, limit, told)
 
 
-def tension(subject: Subject, share: float, least: float) -> tuple[float, float]:
-    """Largest tension of the uncracked concrete [MPa] under a share of the live load, and where."""
+class Tension(NamedTuple):
+    """Largest tension of the uncracked concrete [MPa], where, the sense of bending that has that face in
+    tension, and the external moment of that sense [N mm]."""
+
+    stress: float
+    x: float
+    sense: int
+    moment: float
+
+
+def tension(subject: Subject, share: float, least: float) -> Tension:
+    """Under a share of the live load, on the spans where it counts."""
     moments = subject.moments
-    outer = moments.dead + share * moments.live + least * moments.secondary
-    return fibres(subject, outer, subject.time_loss, least).tension
+    outer = moments.dead + least * moments.secondary
+    found = enveloped(subject, outer, share, subject.time_loss, least)
+    i = int(np.maximum(found.top, found.bottom).argmax())
+    sense = SAGGING if found.bottom[i] >= found.top[i] else HOGGING
+    return Tension(*found.tension, sense, sense * float(found.moments[i]))
 
 
 def _crack_width(
-    subject: Subject, name: str, clause: str, x: float, share: float, least: float, limit: float,
+    subject: Subject, name: str, clause: str, tense: Tension, least: float, limit: float,
     told: tuple[Value, ...],
 ) -> Check:  # fmt: skip
-    member, moments = subject.member, subject.moments
-    i = int(np.abs(moments.x - x).argmin())
-    M = float(moments.dead[i] + share * moments.live[i] + least * moments.secondary[i])
-    sense = SAGGING if M >= 0.0 else HOGGING
+    member, x, sense = subject.member, tense.x, tense.sense
     bars = [(bar.area, subject.depth(bar.depth, sense)) for bar in subject.bars(x)]
     d = max((depth for _, depth in bars), default=0.0)
     if d <= 0.5 * member.h:
@@ -70,7 +82,7 @@ def _crack_width(
         modulus(member.fc),
     )
     stiff = member.Ep * member.intact_area if member.bond == "bonded" else 0.0
-    found = cracks.cracked(subject.strips(sense), bars, Ecm, member.Es, (dp, stiff), P, abs(M))
+    found = cracks.cracked(subject.strips(sense), bars, Ecm, member.Es, (dp, stiff), P, tense.moment)
     if found is None:
         return review(name, clause, "the cracked section has no equilibrium with elastic materials", told, x)
     height = min(2.5 * (member.h - d), (member.h - found.x) / 3.0, 0.5 * member.h)

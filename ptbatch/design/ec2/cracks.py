@@ -69,7 +69,7 @@ def cracked(
         return moment * P - force * M
 
     low, high = 1e-3 * h, h
-    if unbalanced(low) <= 0.0 or unbalanced(high) >= 0.0:
+    if M <= 0.0 or unbalanced(low) <= 0.0 or unbalanced(high) >= 0.0:
         return None
     c = float(brentq(unbalanced, low, high, rtol=1e-12))
     curvature = M / resultants(c)[1]

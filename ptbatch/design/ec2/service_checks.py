@@ -9,7 +9,7 @@ from ptbatch.design.ec2 import flexure
 from ptbatch.design.ec2.crack_checks import tension
 from ptbatch.design.longterm.ec2 import creep_coefficient, modulus
 from ptbatch.design.sections import NO_TIME, Subject
-from ptbatch.design.stresses import fibres
+from ptbatch.design.stresses import enveloped
 from ptbatch.design.time_losses import YEAR, volume_to_surface
 from ptbatch.response import ANCHORED
 
@@ -24,7 +24,7 @@ def in_service(subject: Subject) -> Iterator[Check]:
     parts = (("quasi-permanent", member.live_sustained, 0.45, "3"), ("characteristic", 1.0, 0.60, "2"))
     doubt = "" if subject.timely else NO_TIME
     for name, share, factor, number in parts:
-        stress, x = fibres(subject, dead + share * moments.live, subject.time_loss).compression
+        stress, x = enveloped(subject, dead, share, subject.time_loss).compression
         clause, formula = f"EN 1992-1-1 7.2 ({number})", f"sigma,c <= {factor:.2f} fck"
         limit = factor * member.fc
         made = at_most(f"compression, {name}", clause, formula, strength, stress, limit, "MPa", x)
@@ -47,7 +47,7 @@ def deflections(subject: Subject) -> Iterator[Check]:
     made = at_most(
         "deflection, quasi-permanent", "EN 1992-1-1 7.4.1 (4)", formula, values, size, limit, "mm", x
     )
-    stress, _ = tension(subject, 1.0, 1.0)
+    stress = tension(subject, 1.0, 1.0).stress
     doubts = [] if subject.timely else [NO_TIME]
     doubts += [] if member.RH is not None else [f"creep for RH {DRY:g} %: give RH"]
     doubts += ["cracked under the characteristic load"] if stress > flexure.fctm(member.fc) else []
