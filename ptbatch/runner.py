@@ -78,7 +78,7 @@ def engine() -> Callable[[Member], Outcome]:
     What it needs is imported here, before any thread starts.
     """
     from ptbatch.analysis import analyse
-    from ptbatch.design.checks import checks
+    from ptbatch.design.checks import checks, subject
     from ptbatch.tables import (
         check_rows,
         crack_rows,
@@ -95,7 +95,9 @@ def engine() -> Callable[[Member], Outcome]:
         start = perf_counter()
         try:
             response = analyse(member)
-            time, found = 1e3 * (perf_counter() - start), checks(member, response)
+            time = 1e3 * (perf_counter() - start)
+            about = subject(member, response)
+            found = checks(about)
             summary = {"time [ms]": time} | summary_row(member, response, found)
             return Outcome(
                 response.status,
@@ -107,8 +109,8 @@ def engine() -> Callable[[Member], Outcome]:
                 [_checked(row, CHECKS) for row in check_rows(member, found)],
                 [_checked(row, ELONGATION) for row in elongation_rows(member, response)],
                 [_checked(row, LOSSES) for row in loss_rows(member, response)],
-                [_checked(row, MOMENTS) for row in moment_rows(member, response)],
-                [_checked(row, REACTIONS) for row in reaction_rows(member, response)],
+                [_checked(row, MOMENTS) for row in moment_rows(about)],
+                [_checked(row, REACTIONS) for row in reaction_rows(about)],
             )
         except Exception as error:
             return _crashed(error)

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 
 from ptbatch.design.check import Check
-from ptbatch.design.checks import checks, governing, outcome
+from ptbatch.design.checks import checks, governing, outcome, subject
 from ptbatch.design.elongation import elongations
 from ptbatch.design.sections import Subject
 from ptbatch.member import Member
@@ -53,7 +53,7 @@ def _effective(response: Response) -> Value:
 def _checks(member: Member, response: Response, found: Sequence[Check] | None) -> Row:
     """The outcome of the checks, and the one that is used most."""
     names = ("checks", "utilisation_max", "governing_check")
-    found = checks(member, response) if found is None else found
+    found = checks(subject(member, response)) if found is None else found
     most = governing(found)
     if most is None or most.utilisation is None:
         asked = _not_reached(response) if member.standard != "none" else "no standard is asked for"
@@ -264,11 +264,11 @@ def loss_rows(member: Member, response: Response) -> Iterator[Row]:
         }
 
 
-def moment_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `moments`: one a place, where a standard is asked for."""
-    if member.standard == "none" or ANCHORED not in response.tendon:
+def moment_rows(about: Subject | None) -> Iterator[Row]:
+    """Rows of `moments`: one a place, if there is something to check."""
+    if about is None:
         return
-    moments = Subject(member, response).moments
+    member, moments = about.member, about.moments
     names = ("weight", "dead", "live", "live_most", "live_least", "primary", "secondary")
     headers = [header for header in MOMENTS if header.endswith("[kN m]")]
     for i in moments.told:
@@ -278,11 +278,11 @@ def moment_rows(member: Member, response: Response) -> Iterator[Row]:
         yield {"member": member.member, "x [mm]": float(moments.x[i]), **told}
 
 
-def reaction_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `reactions`: one a support, where a standard is asked for."""
-    if member.standard == "none" or ANCHORED not in response.tendon:
+def reaction_rows(about: Subject | None) -> Iterator[Row]:
+    """Rows of `reactions`: one a support, if there is something to check."""
+    if about is None:
         return
-    found = Subject(member, response).reactions
+    member, found = about.member, about.reactions
     for i, (x, kind) in enumerate(zip(member.support_x, member.supports, strict=True)):
         if kind != "free":
             places: Row = {"member": member.member, "support": i + 1, "x [mm]": x}

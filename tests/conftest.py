@@ -68,10 +68,7 @@ def engine(monkeypatch):
             "summary_row": summary_row,
             "tendon_rows": lambda member, response: [dict.fromkeys(TENDON, 1.0) | {"stage": "jacked"}],
             "check_rows": lambda member, found: [],
-            **{
-                f"{name}_rows": lambda member, response: []
-                for name in ("elongation", "loss", "moment", "reaction")
-            },
+            **{f"{name}_rows": lambda *_: [] for name in ("elongation", "loss", "moment", "reaction")},
             "crack_rows": lambda member, response: [dict.fromkeys(CRACKS, 3.0) | {"stage": "peak"}],
             "curve_rows": lambda member, response: [dict.fromkeys(CURVES, 2.0) | {"event": "peak"}] * 2,
         },

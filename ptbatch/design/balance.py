@@ -7,7 +7,6 @@ import numpy as np
 from ptbatch.design.check import INFO, Check, Value
 from ptbatch.design.sections import Subject
 from ptbatch.geometry.profile import ideal_profile
-from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
 from ptbatch.model.loading import self_weight, sustained, total
 
@@ -18,7 +17,7 @@ CLAUSE = "for information"
 def about_prestress(subject: Subject) -> Iterator[Check]:
     """Mean prestress, the load that it balances in each span, and the least radius of the tendon."""
     member = subject.member
-    P, area = subject.fse * member.intact_area, gross_section(member).area
+    P, area = subject.fse * member.intact_area, subject.section.area
     values = (Value("P", P / 1e3, "kN"), Value("A", area, "mm2"))
     yield _info("mean prestress", "P / A", values, P / area, "MPa")
     for i, (span, share) in enumerate(zip(member.span, balanced(member), strict=True), 1):

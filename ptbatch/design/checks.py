@@ -13,11 +13,16 @@ from ptbatch.response import ANCHORED, Response
 STANDARDS: dict[str, Callable[[Subject], Iterable[Check]]] = {"ACI 318-19": aci318, "EN 1992-1-1": ec2}
 
 
-def checks(member: Member, response: Response) -> list[Check]:
-    """All checks; none where no standard is asked for, or where the member was not anchored."""
-    make = STANDARDS.get(member.standard)
-    about = Subject(member, response) if make and ANCHORED in response.tendon else None
-    return [*_time(about), *make(about), *about_prestress(about)] if make and about else []
+def subject(member: Member, response: Response) -> Subject | None:
+    """What there is to check; None where no standard is asked for, or the member was not anchored."""
+    return Subject(member, response) if member.standard in STANDARDS and ANCHORED in response.tendon else None
+
+
+def checks(about: Subject | None) -> list[Check]:
+    """All checks of what there is to check."""
+    if about is None:
+        return []
+    return [*_time(about), *STANDARDS[about.member.standard](about), *about_prestress(about)]
 
 
 def _time(about: Subject) -> Iterator[Check]:

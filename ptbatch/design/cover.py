@@ -4,7 +4,6 @@ from dataclasses import replace
 
 from ptbatch.design.check import INFO, PASS, Check, Value, at_least
 from ptbatch.design.sections import Subject
-from ptbatch.geometry.profile import ideal_profile
 
 TO_AXIS = "counted to the tendon's axis: give duct"
 
@@ -14,7 +13,7 @@ def cover(subject: Subject, clause: str, required: float) -> Check:
     names its own. Without the size of the duct it cannot be passed, but told."""
     member = subject.member
     x = subject.moments.x
-    depth = ideal_profile(member).depth(x)
+    depth = subject.profile.depth(x)
     at = int((depth.clip(max=member.h - depth)).argmin())
     clear = float(min(depth[at], member.h - depth[at])) - 0.5 * (member.duct or 0.0)
     wanted = required if member.cover is None else member.cover

@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from ptbatch.design.moments import by_prestress, of_beam
 from ptbatch.design.sections import Subject
-from ptbatch.geometry.section import gross_section
 
 Array = NDArray[np.float64]
 
@@ -25,7 +24,7 @@ class Deflections(NamedTuple):
 def elastic(subject: Subject, modulus: float) -> Deflections:
     """Beam theory on the gross section; modulus of the concrete in MPa."""
     member, moments = subject.member, subject.moments
-    stiffness = modulus * gross_section(member).inertia
+    stiffness = modulus * subject.section.inertia
     dead, live = (of_beam(member, moments.x, subject.loads[name]) / stiffness for name in ("dead", "live"))
     return Deflections(moments.x, dead, live, by_prestress(member, moments.x, moments.primary) / stiffness)
 

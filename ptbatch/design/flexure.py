@@ -4,7 +4,6 @@ that is given or by plane strains as well."""
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-import numpy as np
 from scipy.optimize import brentq
 
 Strip = tuple[float, float]  # thickness and width [mm], from the compressed face on
@@ -38,7 +37,7 @@ class Strength(NamedTuple):
 
 def elastic_plastic(E: float, fy: float) -> Callable[[float], float]:
     """Stress of a bar."""
-    return lambda strain: float(np.clip(E * strain, -fy, fy))
+    return lambda strain: min(max(E * strain, -fy), fy)
 
 
 def constant(stress: float) -> Callable[[float], float]:

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from ptbatch.design.flexure import Strip
 from ptbatch.design.moments import of_loads, reactions, secondary, shears, stations
-from ptbatch.geometry.curve import Side
+from ptbatch.geometry.curve import Profile, Side
 from ptbatch.geometry.profile import ideal_profile
-from ptbatch.geometry.section import gross_section
+from ptbatch.geometry.section import Section, gross_section
 from ptbatch.member import Bar, Load, Member
 from ptbatch.model.loading import by_span, has_service_value, live, self_weight, sustained
 from ptbatch.response import ANCHORED, Response
@@ -84,10 +84,34 @@ class Subject:
 
     def effective(self, x: float) -> float:
         """The same at a place [MPa]."""
+        return float(np.interp(x, *self._anchored)) - self.time_loss
+
+    @cached_property
+    def _anchored(self) -> tuple[Array, Array]:
+        """Places [mm] and stresses [MPa] of the tendon after anchoring, anchors included."""
         state = self.response.tendon[ANCHORED]
         places = np.concatenate([[0.0], state.x, [self.member.total_length]])
-        stresses = np.concatenate([state.anchor_stress[:1], state.stress, state.anchor_stress[1:]])
-        return float(np.interp(x, places, stresses)) - self.time_loss
+        return places, np.concatenate([state.anchor_stress[:1], state.stress, state.anchor_stress[1:]])
+
+    @cached_property
+    def anchored(self) -> Array:
+        """Stress of the tendon after anchoring at the stations of the moments [MPa]."""
+        return np.asarray(np.interp(self._stations, *self._anchored))
+
+    @cached_property
+    def profile(self) -> Profile:
+        """Of the tendon, without wobble."""
+        return ideal_profile(self.member)
+
+    @cached_property
+    def section(self) -> Section:
+        """The gross section."""
+        return gross_section(self.member)
+
+    @cached_property
+    def eccentricity(self) -> Array:
+        """Of the tendon at the stations of the moments, below the centroid positive [mm]."""
+        return self.profile.depth(self._stations) - self.section.centroid
 
     @property
     def has_live(self) -> bool:
@@ -100,8 +124,7 @@ class Subject:
         member = self.member
         weight, x = self_weight(member), self._stations
         dead = [*weight, *sustained(member)]
-        force = np.array([self.effective(place) for place in x]) * member.intact_area
-        primary = -force * (ideal_profile(member).depth(x) - gross_section(member).centroid)
+        primary = -(self.anchored - self.time_loss) * member.intact_area * self.eccentricity
         parts = self.live_parts[0]
         most, least = (np.sum(clip(parts, 0.0), axis=0) for clip in (np.maximum, np.minimum))
         alone, all_dead = of_loads(member, x, weight), of_loads(member, x, dead)
@@ -155,7 +178,7 @@ class Subject:
 
     def strips(self, sense: int) -> list[Strip]:
         """Thickness and width from the compressed face on: the top where it sags."""
-        section = gross_section(self.member)
+        section = self.section
         strips = list(zip(section.thickness.tolist(), section.width.tolist(), strict=True))
         return strips if sense == SAGGING else strips[::-1]
 
@@ -165,11 +188,11 @@ class Subject:
 
     def tendon_depth(self, x: float, sense: int) -> float:
         """Depth of the tendon below the compressed face [mm]."""
-        return self.depth(float(ideal_profile(self.member).depth(x)), sense)
+        return self.depth(float(self.profile.depth(x)), sense)
 
     def slope(self, x: float) -> float:
         """Slope of the tendon, falling to the right positive; the mean of both sides at a kink."""
-        profile = ideal_profile(self.member)
+        profile = self.profile
         before, after = (float(profile.slope(np.array(x), side)) for side in SIDES)
         return 0.5 * (before + after)
 

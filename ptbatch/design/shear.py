@@ -5,10 +5,12 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ptbatch.design.check import Check, untold
-from ptbatch.design.sections import Combination, Subject
+from ptbatch.design.sections import Array, Combination, Subject
 
+CHECKED = 6  # every so many stations
 NO_STIRRUPS = "stirrups are needed: give Av and s"
 
 
@@ -31,7 +33,8 @@ def sections(subject: Subject, combinations: Sequence[Combination], clear: float
     moments, shears, member = subject.moments, subject.shears, subject.member
     x = moments.x
     held = [place for place, kind in zip(member.support_x, member.supports, strict=True) if kind != "free"]
-    far = np.min(np.abs(x[:, None] - np.array(held)), axis=1) >= clear - 1e-6
+    away = np.min(np.abs(x[:, None] - np.array(held)), axis=1)
+    far = (away >= clear - 1e-6) & looked_at(subject, away, clear)
     dead, secondary = shears["dead"], shears["secondary"]
     live_moments, live_shears = subject.live_parts
     for (g, q), sign in product(combinations, (1.0, -1.0)):
@@ -44,6 +47,21 @@ def sections(subject: Subject, combinations: Sequence[Combination], clear: float
             at = i, side[i]
             there = float(x[i]), float(V[at]), float(M[at])
             yield Section(*there, float(sign * dead[at]), float(moments.dead[i]), sign)
+
+
+def looked_at(subject: Subject, away: Array, clear: float) -> NDArray[np.bool_]:
+    """Stations at which shear is looked at, by their distance from the supports: every some, the first ones
+    that are clear of the supports, and both sides of point loads."""
+    x, loads = subject.moments.x, subject.loads
+    at = np.zeros(len(x), bool)
+    at[::CHECKED] = True
+    beyond = away >= clear - 1e-6
+    at[1:] |= beyond[1:] & ~beyond[:-1]
+    at[:-1] |= beyond[:-1] & ~beyond[1:]
+    for load in (*loads["dead"], *loads["live"]):
+        if load.type == "point":
+            at |= np.abs(x - load.x) < 1e-6
+    return at
 
 
 def if_told(subject: Subject, made: Check) -> Check:

@@ -6,8 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.design.sections import Subject
-from ptbatch.geometry.profile import ideal_profile
-from ptbatch.geometry.section import gross_section
 
 Array = NDArray[np.float64]
 
@@ -40,10 +38,9 @@ class Fibres(NamedTuple):
 def fibres(subject: Subject, moments: Array, time_loss: float, share: float = 1.0) -> Fibres:
     """P/A + M/S with external moments (stations,) [N mm], secondary ones included, and the prestress after a
     loss [MPa], or a share of it."""
-    x, section = subject.moments.x, gross_section(subject.member)
-    anchored = np.array([subject.effective(place) for place in x]) + subject.time_loss
-    P = share * (anchored - time_loss) * subject.member.intact_area
-    e = ideal_profile(subject.member).depth(x) - section.centroid
+    x, section = subject.moments.x, subject.section
+    P = share * (subject.anchored - time_loss) * subject.member.intact_area
+    e = subject.eccentricity
     inner, mean = moments - P * e, -P / section.area
     up, down = section.centroid, section.h - section.centroid
     return Fibres(x, mean - inner * up / section.inertia, mean + inner * down / section.inertia, moments)

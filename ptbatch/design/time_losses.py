@@ -4,7 +4,6 @@ import numpy as np
 
 from ptbatch.design.longterm import TimeLoss, ec2, zia
 from ptbatch.design.sections import Subject
-from ptbatch.geometry.profile import ideal_profile
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
 from ptbatch.response import Response
@@ -41,10 +40,9 @@ def volume_to_surface(member: Member) -> float:
 def compression_at_tendon(subject: Subject) -> float:
     """Of the concrete at the tendon, under prestress, dead load and the sustained share of the live load
     [MPa]: the mean along the member of an unbonded tendon, where a member with a bonded one bends most."""
-    member, moments, section = subject.member, subject.moments, gross_section(subject.member)
+    member, moments, section = subject.member, subject.moments, subject.section
     x = moments.x
-    e = ideal_profile(member).depth(x) - section.centroid
-    P = np.array([subject.effective(place) for place in x]) * member.intact_area
+    e, P = subject.eccentricity, (subject.anchored - subject.time_loss) * member.intact_area
     sustained = moments.dead + member.live_sustained * moments.live + moments.secondary
     stress = P / section.area + (P * e - sustained) * e / section.inertia
     if member.bond == "unbonded":
@@ -62,7 +60,7 @@ def by_zia(subject: Subject, RH: float) -> TimeLoss:
 
 def by_ec2(subject: Subject, RH: float) -> TimeLoss:
     """EN 1992-1-1, 5.10.6; RH in %."""
-    member, section = subject.member, gross_section(subject.member)
+    member, section = subject.member, subject.section
     fck, t0 = member.fc, member.age_stressing
     t, ts = t0 + member.design_life * YEAR, min(CURED, t0)
     h0 = 2.0 * (member.V_S or volume_to_surface(member))
@@ -70,7 +68,7 @@ def by_ec2(subject: Subject, RH: float) -> TimeLoss:
     dried = [ec2.drying_shrinkage(time, ts, RH, h0, fck, member.cement) for time in (t, t0)]
     own = ec2.autogenous_shrinkage(t, fck) - ec2.autogenous_shrinkage(t0, fck)
     relaxed = ec2.relaxation(subject.fse / member.fpu, ec2.FOR_GOOD, CLASSES[member.relaxation]) * subject.fse
-    e = ideal_profile(member).depth(subject.moments.x) - section.centroid
+    e = subject.eccentricity
     zcp = float(np.sqrt(np.mean(e**2))) if member.bond == "unbonded" else float(np.abs(e).max())
     steel, concrete = (member.Ep, ec2.modulus(fck), member.intact_area), (section.area, section.inertia, zcp)
     shrinkage = dried[0] - dried[1] + own

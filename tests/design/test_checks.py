@@ -8,7 +8,7 @@ from ptbatch.analysis import analyse
 from ptbatch.batch import run_workbook
 from ptbatch.cli import exit_code
 from ptbatch.design.aci318 import PSI
-from ptbatch.design.checks import checks, governing, outcome
+from ptbatch.design.checks import checks, governing, outcome, subject
 from ptbatch.design.sections import Subject
 from ptbatch.design.time_losses import compression_at_tendon, volume_to_surface
 from ptbatch.member import Member
@@ -25,7 +25,7 @@ def made(base=LIGHT, **changes):
     """Member, its analysis and its checks."""
     member = Member(**{"member": "B1", "standard": "ACI 318-19"} | base | changes)
     response = analyse(member)
-    return member, response, {check.name: check for check in checks(member, response)}
+    return member, response, {check.name: check for check in checks(subject(member, response))}
 
 
 def test_nothing_is_checked_unless_it_is_asked_for():

@@ -15,8 +15,6 @@ from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_least, at_
 from ptbatch.design.cover import cover
 from ptbatch.design.flexure import compressed
 from ptbatch.design.sections import SAGGING, Subject
-from ptbatch.geometry.profile import ideal_profile
-from ptbatch.geometry.section import gross_section
 from ptbatch.response import ANCHORED, JACKED
 
 COMBINATIONS = ((1.4, 0.0), (1.2, 0.0), (1.2, 1.6))  # table 5.3.1, prestress by 5.3.11
@@ -59,7 +57,7 @@ def _least_steel(subject: Subject) -> Iterator[Check]:
     if member.bond != "unbonded":
         return
     x = subject.middle
-    section = gross_section(member)
+    section = subject.section
     tension, _ = compressed(subject.strips(-SAGGING), member.h - section.centroid)
     provided = sum(bar.area for bar in subject.bars(x) if bar.depth > section.centroid)
     clause = "ACI 318-19 7.6.2.3" if member.kind == "slab" else "ACI 318-19 9.6.2.3"
@@ -70,10 +68,10 @@ def _least_steel(subject: Subject) -> Iterator[Check]:
 
 def _least_strength(subject: Subject) -> Iterator[Check]:
     """Strength beyond cracking, where the longest span bends most; asked for where the tendon is bonded."""
-    member, section = subject.member, gross_section(subject.member)
+    member, section = subject.member, subject.section
     x = subject.middle
     P, S = subject.effective(x) * member.intact_area, section.inertia / (section.h - section.centroid)
-    e = float(ideal_profile(member).depth(np.array([x]))[0]) - section.centroid
+    e = float(subject.profile.depth(np.array([x]))[0]) - section.centroid
     fr = flexure.modulus_of_rupture(member.fc)
     cracking = (fr + P / section.area) * S + P * e
     values = (

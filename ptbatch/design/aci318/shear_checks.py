@@ -9,8 +9,6 @@ from ptbatch.design.aci318 import shear
 from ptbatch.design.check import Check, Value, at_least, at_most, unless
 from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 from ptbatch.design.shear import Section, if_told, sections, web
-from ptbatch.geometry.profile import ideal_profile
-from ptbatch.geometry.section import gross_section
 
 PER = 1000.0  # mm, spacing for which least stirrups are told where there are none
 
@@ -107,9 +105,9 @@ def _detailed(
     subject: Subject, at: Section, sense: int, bw: float, dp: float
 ) -> tuple[float, tuple[Value, ...]]:
     """Vc of a section with less prestress, from cracks in flexure and in the web."""
-    member, section = subject.member, gross_section(subject.member)
+    member, section = subject.member, subject.section
     P = subject.effective(at.x) * member.intact_area
-    profile = ideal_profile(member)
+    profile = subject.profile
     e = sense * (float(profile.depth(np.array([at.x]))[0]) - section.centroid)
     yt = section.h - section.centroid if sense == SAGGING else section.centroid
     fpe, fd = P / section.area + P * e * yt / section.inertia, sense * at.M_dead * yt / section.inertia

@@ -12,7 +12,6 @@ from ptbatch.design.ec2.service_checks import deflections, in_service
 from ptbatch.design.ec2.shear_checks import shear_checks
 from ptbatch.design.ec2.strength import resistance
 from ptbatch.design.sections import SAGGING, Subject
-from ptbatch.geometry.section import gross_section
 from ptbatch.response import ANCHORED, JACKED
 
 COMBINATIONS = ((1.35, 0.0), (1.35, 1.5))  # EN 1990 eq. (6.10), gamma_P = 1.0 by EN 1992-1-1, 2.4.2.2
@@ -48,7 +47,7 @@ def _least_steel(subject: Subject) -> Iterator[Check]:
     """Bars in the middle of the longest span; a bonded tendon counts with its area."""
     member = subject.member
     x = subject.middle
-    bars = [bar for bar in subject.bars(x) if bar.depth > gross_section(member).centroid]
+    bars = [bar for bar in subject.bars(x) if bar.depth > subject.section.centroid]
     provided = sum(bar.area for bar in bars) + (member.intact_area if member.bond == "bonded" else 0.0)
     d = max([bar.depth for bar in bars], default=subject.tendon_depth(x, SAGGING))
     bt = member.b if member.shape == "rectangle" else member.bw or member.b

@@ -6,7 +6,6 @@ from ptbatch.design.check import Check, Value, at_least, at_most, unless
 from ptbatch.design.ec2 import shear
 from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 from ptbatch.design.shear import Section, if_told, sections, web
-from ptbatch.geometry.section import gross_section
 
 PER = 1000.0  # mm, spacing for which least stirrups are told where there are none
 
@@ -14,7 +13,7 @@ PER = 1000.0  # mm, spacing for which least stirrups are told where there are no
 def shear_checks(subject: Subject, combinations: Sequence[Combination]) -> Iterator[Check]:
     """The section that is used most by shear, one effective depth from the supports and further, and the
     least stirrups of a beam. The vertical part of the prestress counts with VEd."""
-    member, gross = subject.member, gross_section(subject.member)
+    member, gross = subject.member, subject.section
     bw = web(subject)
     worst: tuple[float, Section, float, tuple[Value, ...], str] | None = None
     for at in sections(subject, combinations, 0.8 * member.h):

@@ -2,8 +2,6 @@
 
 from collections.abc import Callable
 
-import numpy as np
-
 from ptbatch.design.bending import Resistance
 from ptbatch.design.check import Value
 from ptbatch.design.ec2 import flexure
@@ -48,4 +46,4 @@ def _tendon(subject: Subject, x: float, sense: int, gamma_s: float) -> Callable[
         deep = subject.tendon_depth(x, sense) > 0.5 * member.h
         return constant(min(flexure.unbonded_stress(subject.fse) if deep else subject.fse, most))
     effective = subject.effective(x)
-    return lambda strain: float(np.clip(effective + member.Ep * strain, -most, most))
+    return lambda strain: min(max(effective + member.Ep * strain, -most), most)
