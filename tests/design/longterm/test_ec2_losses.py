@@ -51,7 +51,7 @@ def test_wet_and_thick_creeps_less():
 
 
 def test_relaxation_of_dce_en22():
-    """Published by SOFiSTiK, DCE-EN22: 3653.0 kN in 28.5 cm2 of Y1770, 1000 h, class 2: 15.39 MPa. (Its second
-    number, 15.04 MPa, is at a lower stress: by 0.3 of the loss it would be 14.97.)"""
+    """Published by SOFiSTiK, DCE-EN22: 3653.0 kN in 28.5 cm2 of Y1770, 1000 h, class 2: 15.39 MPa. (Its
+    second number, 15.04 MPa, is at a lower stress: by 0.3 of the loss it would be 14.97.)"""
     stress = 3653.0e3 / 2850.0
     assert relaxation(stress / 1770.0, 1000.0, 2) * stress == pytest.approx(15.39, abs=0.01)
