@@ -6,6 +6,7 @@ from markupsafe import Markup
 
 from ptbatch.plots.missing import lack, missing
 from ptbatch.report.capacity import Event, at_peak, events, quality
+from ptbatch.report.causes import Cause, causes
 from ptbatch.report.checks import Line, checks
 from ptbatch.report.derivation import Step, derivation
 from ptbatch.report.figures import Picture, drawing, pictures, undrawn
@@ -31,6 +32,7 @@ class Chapter:
     given: dict[str, list[Given]]
     stages: list[Stage]
     camber: str
+    causes: list[Cause]
     derivation: list[Step]
     events: list[Event]
     at_peak: list[tuple[str, str, str]]
@@ -56,6 +58,7 @@ def chapter(stored: Stored, link: str, source: Source) -> Chapter:
         given(member, stored.system) if member else {},
         stages(stored),
         camber(stored) if member else "",
+        causes(stored),
         derivation(stored) if member else [],
         events(stored) if loaded else [],
         at_peak(stored),

@@ -13,13 +13,27 @@ GROUPS = {
     "Member": ("kind", "span", "support_left", "support_right", "density", "self_weight"),
     "Section": ("shape", "b", "h", "bw", "hf", "b_bottom", "hf_bottom"),
     "Concrete": ("fc", "ft", "Ec", "concrete_law", "crushing_strain", "tension_law", "tension_end"),
-    "Tendon": ("Aps", "fpu", "fpy", "Ep", "tendon_law", "epu", "bond", "profile", "dp", "harp", "inflection"),
+    "Tendon": (
+        *("Aps", "n_strands", "n_strands_lost", "fpu", "fpy", "Ep", "tendon_law", "epu", "bond", "profile"),
+        *("dp", "harp", "inflection"),
+    ),
     "Stressing": ("fpj", "fpe", "jack", "set", "mu", "K", "wobble"),
     "Bars": ("As", "ds", "As_top", "ds_top", "fy", "Es", "hardening", "esu"),
     "Loads": ("w_dead", "live", "w_live", "P_live", "live_spans", "deflection_limit"),
+    "Time": (
+        *("long_term_loss", "RH", "V_S", "age_stressing", "relaxation", "cement", "design_life"),
+        "live_sustained",
+    ),
+    "Checks": (
+        *("standard", "fci", "service_class", "exposure", "cover", "duct", "Av", "s", "fyt"),
+        *("bar_diameter", "live_frequent", "deflection_live", "deflection_total"),
+        *("factor_dead", "factor_live"),
+    ),
     "Mesh": ("elements", "layers"),
 }
 ONLY_WHERE = {"harp": "harped", "inflection": "parabola"}  # columns that one profile alone uses
+BY_EN = ("cement", "design_life", "bar_diameter", "live_frequent")
+BY_ACI = ("service_class", "deflection_live")
 MOST = 9  # rows of an optional sheet
 STEEL = ("fy", "Es", "hardening", "esu")
 
@@ -55,6 +69,18 @@ def _some(rows: list[Given], sheet: str) -> list[Given]:
 def _used(member: Member, name: str) -> bool:
     if getattr(member, name) in (None, ()):
         return False
+    if name in GROUPS["Time"] and member.long_term_loss is None and member.RH is None:
+        return False
+    if name in GROUPS["Checks"] and member.standard == "none":
+        return False
+    if name in BY_EN:
+        return member.standard == "EN 1992-1-1"
+    if name in BY_ACI:
+        return member.standard != "EN 1992-1-1"
+    if name == "fyt":
+        return bool(member.Av)
+    if name == "n_strands_lost":
+        return member.n_strands_lost > 0
     if name in STEEL:
         return bool(member.As or member.As_top or member.bars)
     if name in ONLY_WHERE:

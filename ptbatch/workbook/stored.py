@@ -21,7 +21,7 @@ from ptbatch.workbook.settings import read_settings
 from ptbatch.workbook.systems import record_in
 
 BOUNDS = 8  # results may be that many times larger than an input
-TABLES = ("tendon", "curves", "cracks", "checks")
+TABLES = ("tendon", "curves", "cracks", "checks", "losses")
 
 Row = dict[str, Any]
 
@@ -57,6 +57,7 @@ class Stored:
     cracks: Table
     system: System = "SI"
     checks: Table = Table()
+    losses: Table = Table()
 
     @property
     def name(self) -> str:
@@ -117,8 +118,8 @@ def _stored(
     name = row["member"]
     if row.get("status") == "invalid":
         return Stored(row, None, Table(), Table(), Table(), system)
-    tendon, curves, cracks, checks = (Table(tables[sheet].get(name, [])) for sheet in TABLES)
-    return Stored(row, members.get(str(name)), tendon, curves, cracks, system, checks)
+    tendon, curves, cracks, checks, losses = (Table(tables[sheet].get(name, [])) for sheet in TABLES)
+    return Stored(row, members.get(str(name)), tendon, curves, cracks, system, checks, losses)
 
 
 def _read(

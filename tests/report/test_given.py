@@ -46,3 +46,12 @@ def test_of_many_points_some_are_told():
     assert len(points(MOST)) == MOST
     assert len(points(25)) == MOST - 1 and points(25)[-1] == "6000; 274 mm"
     assert not told("dp", dp=(), profile_points=[(0, 250), (6000, 250)])
+
+
+def test_what_time_and_checks_need_is_told_where_they_are_asked_for():
+    assert not told("RH") and not told("exposure") and not told("age_stressing")
+    assert told("RH", RH=60) == ["60 %"] and told("age_stressing", RH=60) == ["7"]
+    assert told("exposure", standard="ACI 318-19") == ["interior"]
+    assert not told("bar_diameter", standard="ACI 318-19")
+    assert told("bar_diameter", standard="EN 1992-1-1") == ["16 mm"]
+    assert told("n_strands_lost", n_strands=4, n_strands_lost=1) == ["1"]
