@@ -25,16 +25,16 @@ def analyse(member: Member, *, refine: int = 1) -> Response:
     refine: divide the steps of the live load by this. A member that does not converge raises nothing: see
     Response.status.
     """
-    setup = set_up(member)
+    setup, loss = set_up(member), None
     run = prepare(setup, jacking_stress(setup))
     try:
         stress(run)
         if member.fpe is not None:
             run = stress_to_mean(run, member.fpe)
         loss = time_loss(anchored(run)) if takes_time(member) else None
-        ended = serve(run, refine, loss.total if loss else 0.0)
+        ended = serve(run, refine, loss.total if loss else None)
     except stages.NoEquilibriumError as none:
-        return stopped(run, none.stage, str(none))
+        return stopped(run, none.stage, str(none), loss)
     return finished(run, ended, loss)
 
 
@@ -101,9 +101,10 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
     return run
 
 
-def serve(run: Run, refine: int, loss: float = 0.0) -> int:
-    """Sustained load, long-term losses [MPa], live load; how it ended. A member that fails before
-    the live load gets none."""
+def serve(run: Run, refine: int, loss: float | None = None) -> int:
+    """Sustained load, long-term losses [MPa] if anything is known of them, live load; how it ended. Where a
+    material is past its limit strain before the live load the member has failed: what lies beyond need not be
+    found, and it gets no live load."""
     setup, member = run.setup, run.setup.member
     bonded = bool(member.bond == "bonded")
     dof = 5 * setup.mesh.control + 3
@@ -116,9 +117,13 @@ def serve(run: Run, refine: int, loss: float = 0.0) -> int:
         member.deflection_limit / (40 * refine),
     )
     full = setup.self_weight + setup.sustained
-    stages.sustain(run.rig, (setup.self_weight, full), bonded)
-    if loss and not run.rig.failed:
-        stages.lose(run.rig, full, loss, bonded)
+    try:
+        stages.sustain(run.rig, (setup.self_weight, full), bonded)
+        if loss is not None and not run.rig.failed:
+            stages.lose(run.rig, full, loss, bonded)
+    except stages.NoEquilibriumError:
+        if not run.rig.failed:
+            raise
     if run.rig.failed:
         return DONE
     return stages.load_to_failure(run.rig, full, setup.pattern, control, bonded)

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 SLIGHT = 1e-3  # of the force: less friction than this along the whole tendon holds no set back
 LIMIT = "deflection limit"
-BENT_BEFORE = "the deflection limit is passed under the sustained load: no live load can be carried"
+SUSTAINED, AND_TIME = "the sustained load", "the sustained load and long-term losses"
 STAGE_ROWS = {
     JACKED: stages.JACKING,
     SET: stages.SETTING,
@@ -29,10 +29,11 @@ STAGE_ROWS = {
 }
 
 
-def stopped(run: Run, stage: int, message: str) -> Response:
+def stopped(run: Run, stage: int, message: str, loss: TimeLoss | None = None) -> Response:
     """Response of a member that found no equilibrium in a stage before the live load: the stages before it,
     and no capacity."""
-    return Response(**_common(run, stage), status="not converged", message=f"{message}{_why(run)}")
+    common = _common(run, stage) | {"time_loss": loss}
+    return Response(**common, status="not converged", message=f"{message}{_why(run)}")
 
 
 def _why(run: Run) -> str:
@@ -60,7 +61,8 @@ def finished(run: Run, ended: int, loss: TimeLoss | None) -> Response:
     events, failure = find_events(service)
     before = _before_live(run, events, failure) if failure else ""
     if complete and not failure and not _live_rows(run):
-        before, failure = BENT_BEFORE, LIMIT
+        under = AND_TIME if loss else SUSTAINED
+        before, failure = f"the deflection limit is passed under {under}: no live load can be carried", LIMIT
     if before:
         common |= _states(run, rows, common["tendon"])
         events = tuple(event for event in events if event.name != "peak")
@@ -95,8 +97,7 @@ def _before_live(run: Run, events: tuple[Event, ...], failure: str) -> str:
     if loaded and event.step > len(_service_rows(run)) - loaded - 1:
         return ""
     stage = run.rig.case.history.stage[_service_rows(run)[int(np.ceil(event.step))]]
-    words = {stages.ANCHORING: "stressing", stages.TIME: "the sustained load and long-term losses"}
-    under = words.get(int(stage), "the sustained load")
+    under = {stages.ANCHORING: "stressing", stages.TIME: AND_TIME}.get(int(stage), SUSTAINED)
     return f"{failure} at x = {event.place:.0f} mm under {under}: no live load can be carried"
 
 
@@ -155,7 +156,9 @@ def _last_row(run: Run, stage: int) -> int | None:
 
 def _service_rows(run: Run) -> NDArray[np.int64]:
     """Rows from the anchored state on."""
-    return np.arange(_last_row(run, stages.ANCHORING) or 0, int(run.rig.case.history.rows[0]))
+    first = _last_row(run, stages.ANCHORING)
+    assert first is not None  # service comes after anchoring
+    return np.arange(first, int(run.rig.case.history.rows[0]))
 
 
 def _tendon_state(run: Run, row: float) -> TendonState:

@@ -7,7 +7,8 @@ import numpy as np
 from ptbatch.design.check import Check
 from ptbatch.design.checks import checks, governing, outcome, subject
 from ptbatch.design.elongation import elongations
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
+from ptbatch.design.time_losses import takes_time
 from ptbatch.member import Member
 from ptbatch.prestress_losses import losses_by_cause
 from ptbatch.response import ANCHORED, JACKED, PEAK, SERVICE, SET, STAGES, Event, Response, TendonState
@@ -46,8 +47,7 @@ def _effective(response: Response) -> Value:
     """Mean stress when time has taken its part."""
     if (state := response.tendon.get(SERVICE)) is not None:
         return state.mean
-    known = response.time_loss is not None or response.member.RH is not None
-    return _not_reached(response) if known else "no long-term loss is given"
+    return _not_reached(response) if takes_time(response.member) else "no long-term loss is given"
 
 
 def _checks(member: Member, response: Response, found: Sequence[Check] | None) -> Row:
@@ -58,7 +58,14 @@ def _checks(member: Member, response: Response, found: Sequence[Check] | None) -
     if most is None or most.utilisation is None:
         asked = _not_reached(response) if member.standard != "none" else "no standard is asked for"
         return dict.fromkeys(names, asked)
-    return dict(zip(names, (outcome(found), most.utilisation, most.name), strict=True))
+    return dict(zip(names, (outcome(found), _used(most), most.name), strict=True))
+
+
+def _used(check: Check) -> Value:
+    """Demand over limit, or why there is no such number."""
+    if check.utilisation is None:
+        return "not compared"
+    return check.utilisation if np.isfinite(check.utilisation) else "nothing is provided"
 
 
 def _capacity(response: Response) -> Row:
@@ -229,7 +236,7 @@ def check_rows(member: Member, found: Iterable[Check]) -> Iterator[Row]:
             "demand": check.demand if np.isfinite(check.demand) else "see reason",
             "limit": check.limit if np.isfinite(check.limit) else "none",
             "unit": check.unit,
-            "utilisation": "not compared" if check.utilisation is None else check.utilisation,
+            "utilisation": _used(check),
             "outcome": check.outcome,
             "reason": check.reason,
         }

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ptbatch.design.check import INFO, Check, Value
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Member
 from ptbatch.model.loading import self_weight, sustained, total

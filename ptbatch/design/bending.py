@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most, unless
-from ptbatch.design.sections import HOGGING, SAGGING, Array, Combination, Subject
+from ptbatch.design.subject import HOGGING, SAGGING, Array, Combination, Subject
 
 WORDS = {SAGGING: "sagging", HOGGING: "hogging"}
 CHECKED = 12  # every so many stations, and the supports

@@ -6,7 +6,7 @@ from ptbatch.design.aci318.checks import checks as aci318
 from ptbatch.design.balance import about_prestress
 from ptbatch.design.check import FAIL, INFO, PASS, REVIEW, Check, Value
 from ptbatch.design.ec2.checks import checks as ec2
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 from ptbatch.member import Member
 from ptbatch.response import ANCHORED, Response
 
@@ -14,8 +14,12 @@ STANDARDS: dict[str, Callable[[Subject], Iterable[Check]]] = {"ACI 318-19": aci3
 
 
 def subject(member: Member, response: Response) -> Subject | None:
-    """What there is to check; None where no standard is asked for, or the member was not anchored."""
-    return Subject(member, response) if member.standard in STANDARDS and ANCHORED in response.tendon else None
+    """What there is to check; None where no standard is asked for, the member was not anchored, or time takes
+    all of its prestress."""
+    if member.standard not in STANDARDS or ANCHORED not in response.tendon:
+        return None
+    about = Subject(member, response)
+    return about if about.fse > 0.0 else None
 
 
 def checks(about: Subject | None) -> list[Check]:

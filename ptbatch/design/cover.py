@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from ptbatch.design.check import INFO, PASS, Check, Value, at_least
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 
 TO_AXIS = "counted to the tendon's axis: give duct"
 

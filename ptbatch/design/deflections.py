@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.design.moments import by_prestress, of_beam
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 
 Array = NDArray[np.float64]
 

@@ -27,11 +27,7 @@ def stations(member: Member, loads: Iterable[Load], others: Iterable[float]) -> 
 def of_loads(member: Member, x: Array, loads: Iterable[Load]) -> Array:
     """Moments (stations,) in N mm of loads, whose ends are stations."""
     loads = list(loads)
-    middle, h = 0.5 * (x[1:] + x[:-1]), np.diff(x)
-    w = np.zeros_like(h)
-    for load in loads:
-        if load.type == "uniform":
-            w += np.where((middle > load.x) & (middle < load.x_end), load.value, 0.0)
+    w, h = _uniform(x, loads), np.diff(x)
     left, right = _curvatures(x, displacements(member, x, nodal_loads(x, loads)))
     at_left, at_right = left - w * h**2 / 12.0, right - w * h**2 / 12.0  # as of a beam held at both ends
     return np.append(at_left, at_right[-1])
@@ -40,15 +36,20 @@ def of_loads(member: Member, x: Array, loads: Iterable[Load]) -> Array:
 def shears(x: Array, moments: Array, loads: Iterable[Load]) -> Array:
     """Shear forces (stations, 2) in N just left and just right of the stations, from moments that run on over
     them, and the loads that make them; dM/dx positive."""
-    middle, h = 0.5 * (x[1:] + x[:-1]), np.diff(x)
-    w = np.zeros_like(h)
-    for load in loads:
-        if load.type == "uniform":
-            w += np.where((middle > load.x) & (middle < load.x_end), load.value, 0.0)
+    w, h = _uniform(x, loads), np.diff(x)
     chord = np.diff(moments) / h
     found = np.zeros((len(x), 2))
     found[:-1, 1], found[1:, 0] = chord + 0.5 * w * h, chord - 0.5 * w * h
     return found
+
+
+def _uniform(x: Array, loads: Iterable[Load]) -> Array:
+    """Line load on each element [N/mm]."""
+    middle = 0.5 * (x[1:] + x[:-1])
+    on = [
+        ((middle > load.x) & (middle < load.x_end)) * load.value for load in loads if load.type == "uniform"
+    ]
+    return np.sum([np.zeros_like(middle), *on], axis=0)
 
 
 def reactions(member: Member, x: Array, moments: Array, loads: Iterable[Load]) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.design.check import Check, untold
-from ptbatch.design.sections import Array, Combination, Subject
+from ptbatch.design.subject import Array, Combination, Subject
 
 CHECKED = 6  # every so many stations
 NO_STIRRUPS = "stirrups are needed: give Av and s"

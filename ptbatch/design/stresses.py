@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 
 Array = NDArray[np.float64]
 

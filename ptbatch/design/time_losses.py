@@ -3,7 +3,7 @@
 import numpy as np
 
 from ptbatch.design.longterm import TimeLoss, ec2, zia
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
 from ptbatch.response import Response

@@ -7,8 +7,8 @@ import pytest
 from ptbatch import stages
 from ptbatch.analysis import jacking_stress, prepare, stress
 from ptbatch.design.aci318 import PSI
-from ptbatch.design.sections import Subject
 from ptbatch.design.stresses import fibres
+from ptbatch.design.subject import Subject
 from ptbatch.events import sections
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Member

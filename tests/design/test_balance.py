@@ -5,7 +5,7 @@ import pytest
 
 from ptbatch.analysis import analyse
 from ptbatch.design.balance import about_prestress, balanced, least_radius
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 from ptbatch.member import Member
 
 BEAM = dict(

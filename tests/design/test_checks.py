@@ -9,10 +9,11 @@ from ptbatch.batch import run_workbook
 from ptbatch.cli import exit_code
 from ptbatch.design.aci318 import PSI
 from ptbatch.design.checks import checks, governing, outcome, subject
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 from ptbatch.design.time_losses import compression_at_tendon, volume_to_surface
 from ptbatch.member import Member
 from ptbatch.response import ANCHORED
+from ptbatch.tables import check_rows, summary_row
 
 LIGHT = dict(
     span=9000, b=300, h=600, fc=40, Aps=592, dp=(300, 500, 300), fpj=1300, As=603, ds=550, w_dead=5,
@@ -215,3 +216,10 @@ def test_the_class_has_a_short_name(book):
     (check,) = [one for one in told if one["check"] == "class"]
     assert (check["outcome"], check["reason"]) == ("fail", "class C, not U")
     assert not batch.inputs.extra_headers
+
+
+def test_nothing_provided_is_said_in_words():
+    member, response, found = made(LIGHT | dict(As=0, ds=0))
+    (steel,) = [row for row in check_rows(member, found.values()) if row["check"] == "least bonded steel"]
+    assert (steel["utilisation"], steel["outcome"]) == ("nothing is provided", "fail")
+    assert summary_row(member, response)["utilisation_max"] == "nothing is provided"

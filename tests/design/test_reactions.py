@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 from ptbatch.member import Load, Member
 from ptbatch.model.loading import by_span
 from tests.design.test_checks import LIGHT, TWO, made

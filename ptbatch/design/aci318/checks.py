@@ -14,7 +14,7 @@ from ptbatch.design.bending import bending, two_views
 from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_least, at_most
 from ptbatch.design.cover import cover
 from ptbatch.design.flexure import compressed
-from ptbatch.design.sections import SAGGING, Subject
+from ptbatch.design.subject import SAGGING, Subject
 from ptbatch.response import ANCHORED, JACKED
 
 COMBINATIONS = ((1.4, 0.0), (1.2, 0.0), (1.2, 1.6))  # table 5.3.1, prestress by 5.3.11

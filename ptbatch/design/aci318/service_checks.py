@@ -8,11 +8,10 @@ import numpy as np
 from ptbatch.design.aci318 import service
 from ptbatch.design.check import FAIL, INFO, REVIEW, Check, Value, at_most, review, unless
 from ptbatch.design.deflections import elastic, live_by_analysis, worst
-from ptbatch.design.sections import NO_TIME, Subject
 from ptbatch.design.stresses import enveloped, fibres
+from ptbatch.design.subject import NO_TIME, Subject
 
 CLASSES = "UTC"  # the first is the strictest
-
 LASTING = 2.0  # xi of table 24.2.4.1.3, five years or more
 
 

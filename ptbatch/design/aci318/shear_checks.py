@@ -7,8 +7,8 @@ import numpy as np
 
 from ptbatch.design.aci318 import shear
 from ptbatch.design.check import Check, Value, at_least, at_most, unless
-from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 from ptbatch.design.shear import Section, if_told, sections, web
+from ptbatch.design.subject import HOGGING, SAGGING, Combination, Subject
 
 PER = 1000.0  # mm, spacing for which least stirrups are told where there are none
 

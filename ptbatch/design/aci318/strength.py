@@ -4,7 +4,7 @@ from ptbatch.design.aci318 import flexure, tendon_stress
 from ptbatch.design.bending import Resistance
 from ptbatch.design.check import Value
 from ptbatch.design.flexure import Steel, constant, elastic_plastic, strength
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 
 TOO_LITTLE = "fse is below 0.5 fpu: fps by 20.3.2.3 and 20.3.2.4 does not hold, it is taken as fse"
 

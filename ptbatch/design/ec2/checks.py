@@ -11,7 +11,7 @@ from ptbatch.design.ec2.crack_checks import cracking
 from ptbatch.design.ec2.service_checks import deflections, in_service
 from ptbatch.design.ec2.shear_checks import shear_checks
 from ptbatch.design.ec2.strength import resistance
-from ptbatch.design.sections import SAGGING, Subject
+from ptbatch.design.subject import SAGGING, Subject
 from ptbatch.response import ANCHORED, JACKED
 
 COMBINATIONS = ((1.35, 0.0), (1.35, 1.5))  # EN 1990 eq. (6.10), gamma_P = 1.0 by EN 1992-1-1, 2.4.2.2

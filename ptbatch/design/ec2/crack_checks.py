@@ -11,8 +11,8 @@ from ptbatch.design.ec2 import cracks, flexure
 from ptbatch.design.ec2.cover import exposure_class
 from ptbatch.design.flexure import compressed
 from ptbatch.design.longterm.ec2 import modulus
-from ptbatch.design.sections import HOGGING, NO_TIME, SAGGING, Subject
 from ptbatch.design.stresses import enveloped
+from ptbatch.design.subject import HOGGING, NO_TIME, SAGGING, Subject
 
 
 def cracking(subject: Subject) -> Iterator[Check]:
@@ -30,7 +30,7 @@ def cracking(subject: Subject) -> Iterator[Check]:
         name, formula = f"decompression, {decompressed}", "no tension at the face"
         values = (Value("rinf", least), Value("sigma,c", stress, "MPa"))
         numbers = Check(name, "EN 1992-1-1 table 7.1N", formula, values, stress, 0.0, "MPa", None, PASS, x)
-        more = "concrete within 100 mm or half the duct of the tendon has to be compressed"
+        more = "tendon and duct have to lie 25 mm within compressed concrete (7.3.1 (5))"
         yield replace(numbers, outcome=REVIEW, reason=more) if stress > 0.0 else unless(numbers, doubt)
     if limit is None:
         return

@@ -8,8 +8,8 @@ from ptbatch.design.deflections import elastic, worst
 from ptbatch.design.ec2 import flexure
 from ptbatch.design.ec2.crack_checks import tension
 from ptbatch.design.longterm.ec2 import creep_coefficient, modulus
-from ptbatch.design.sections import NO_TIME, Subject
 from ptbatch.design.stresses import enveloped
+from ptbatch.design.subject import NO_TIME, Subject
 from ptbatch.design.time_losses import YEAR, volume_to_surface
 from ptbatch.response import ANCHORED
 

@@ -4,14 +4,14 @@ from collections.abc import Iterator, Sequence
 
 from ptbatch.design.check import Check, Value, at_least, at_most, unless
 from ptbatch.design.ec2 import shear
-from ptbatch.design.sections import HOGGING, SAGGING, Combination, Subject
 from ptbatch.design.shear import Section, if_told, sections, web
+from ptbatch.design.subject import HOGGING, SAGGING, Combination, Subject
 
 PER = 1000.0  # mm, spacing for which least stirrups are told where there are none
 
 
 def shear_checks(subject: Subject, combinations: Sequence[Combination]) -> Iterator[Check]:
-    """The section that is used most by shear, one effective depth from the supports and further, and the
+    """The section that is used most by shear, 0.8 h from the supports and further, and the
     least stirrups of a beam. The vertical part of the prestress counts with VEd."""
     member, gross = subject.member, subject.section
     bw = web(subject)

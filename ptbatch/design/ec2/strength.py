@@ -6,7 +6,7 @@ from ptbatch.design.bending import Resistance
 from ptbatch.design.check import Value
 from ptbatch.design.ec2 import flexure
 from ptbatch.design.flexure import Steel, constant, elastic_plastic, strength
-from ptbatch.design.sections import Subject
+from ptbatch.design.subject import Subject
 
 GAMMA_S = 1.15
 STRENGTHS = 12.0, 90.0  # MPa, fck of table 3.1

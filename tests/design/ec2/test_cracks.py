@@ -52,7 +52,11 @@ def test_of_a_member():
     code = dict(standard="EN 1992-1-1", live_sustained=0.3)
     assert made(**code)[2]["crack width, quasi-permanent"].demand == 0.0
     cracked = made(**code, w_live=80)[2]["crack width, quasi-permanent"]
-    assert 0.0 < cracked.demand < 2.0
+    numbers = {value.symbol: value.value for value in cracked.values}
+    rest = numbers["rho,p,eff"], numbers["c"], numbers["diameter"]
+    wk = cracks.width(numbers["sigma,s"], 200e3, 22e3 * 4.8**0.3, numbers["fctm"], *rest)
+    assert cracked.demand == pytest.approx(wk)
+    assert (numbers["c"], numbers["fctm"]) == (600 - 550 - 8, pytest.approx(0.3 * 40 ** (2 / 3)))
     bare = made(LIGHT | dict(As=0, ds=0), **code, w_live=80)[2]["crack width, quasi-permanent"]
     assert bare.outcome == "review" and "without bars" in bare.reason
     wet = made(**code, exposure="XD1", bond="bonded")[2]

@@ -1,4 +1,5 @@
-"""Sections of a member as a check of bending needs them: seen from the compressed face."""
+"""What is checked: a member, its analysis, its elastic moments, and its sections seen from the compressed
+face."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -23,7 +24,6 @@ SAGGING, HOGGING = 1, -1
 TOLD = 6  # every so many stations
 SIDES: tuple[Side, Side] = ("left", "right")
 NO_TIME = "without creep, shrinkage and relaxation of the tendon: give RH, or long_term_loss"
-
 
 Combination = tuple[float, float]  # factors of dead and live load; secondary moments count once
 
@@ -83,7 +83,7 @@ class Subject:
         return usual if dead is None or live is None else ((dead, 0.0), (dead, live))
 
     def effective(self, x: float) -> float:
-        """The same at a place [MPa]."""
+        """Effective stress of the tendon at a place [MPa]."""
         return float(np.interp(x, *self._anchored)) - self.time_loss
 
     @cached_property
@@ -120,7 +120,7 @@ class Subject:
 
     @cached_property
     def moments(self) -> Moments:
-        """Moments at supports, at the nodes of the elements and where loads begin."""
+        """Moments at stations between the supports and where loads begin."""
         member = self.member
         weight, x = self_weight(member), self._stations
         dead = [*weight, *sustained(member)]
