@@ -6,6 +6,7 @@ from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
 from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
+from ptbatch.design.longterm import TimeLoss
 from ptbatch.design.time_losses import takes_time, time_loss
 from ptbatch.losses import analytic_losses, fpj_for_mean
 from ptbatch.member import Member
@@ -32,7 +33,7 @@ def analyse(member: Member, *, refine: int = 1) -> Response:
         if member.fpe is not None:
             run = stress_to_mean(run, member.fpe)
         loss = time_loss(anchored(run)) if takes_time(member) else None
-        ended = serve(run, refine, loss.total if loss else None)
+        ended = serve(run, refine, loss)
     except stages.NoEquilibriumError as none:
         return stopped(run, none.stage, str(none), loss)
     return finished(run, ended, loss)
@@ -101,8 +102,8 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
     return run
 
 
-def serve(run: Run, refine: int, loss: float | None = None) -> int:
-    """Sustained load, long-term losses [MPa] if anything is known of them, live load; how it ended. Where a
+def serve(run: Run, refine: int, loss: TimeLoss | None = None) -> int:
+    """Sustained load, long-term losses if anything is known of them, live load; how it ended. Where a
     material is past its limit strain before the live load the member has failed: what lies beyond need not be
     found, and it gets no live load."""
     setup, member = run.setup, run.setup.member

@@ -20,29 +20,43 @@ REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5
 
 @dataclass(frozen=True)
 class Recorded:
-    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain
-    (steps,)."""
+    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain (steps,);
+    which of them (steps,) come after the concrete has crept and shrunk, and the strain that it did so by in
+    all layers (n, 2, layers), tension positive."""
 
     model: Model
     u: Array
     T: Array
     strain: Array
+    aged: NDArray[np.bool_]
+    free: Array
+
+    def layer_strain(self, steps: slice) -> Array:
+        """Strain that the layers of concrete have their stress from (steps, n, 2, layers)."""
+        return self._strain(self.model.layer_y, self.free, steps)
+
+    def face_strain(self) -> Array:
+        """The same at the top and the bottom fibre (steps, n, 2, 2)."""
+        model, y = self.model, self.model.layer_y
+        free = self.free[..., [0, -1]]
+        if len(y) > 1:  # on the line through the two layers next to it
+            slopes = (free - self.free[..., [1, -2]]) / (y[[0, -1]] - y[[1, -2]])
+            free = free + slopes * ([model.top, model.bottom] - y[[0, -1]])
+        return self._strain(np.array([model.top, model.bottom]), free, slice(None))
+
+    def _strain(self, heights: Array, free: Array, steps: slice) -> Array:
+        eps0, kappa, _ = sections(self.model.x, self.u[steps])
+        own = self.aged[steps, None, None, None] * free
+        return np.asarray(eps0[..., None] - heights * kappa[..., None] - own)
 
 
-@dataclass(frozen=True)
-class Service(Recorded):
-    """The service stage with its curve, row 0 the anchored state."""
-
-    curve: Curve
-
-
-def find_events(service: Service) -> tuple[tuple[Event, ...], str]:
-    """All events in their order, and the name of the first failure ('' where no material reached its limit).
+def find_events(service: Recorded, curve: Curve) -> tuple[tuple[Event, ...], str]:
+    """All events of the service stage (row 0 the anchored state) in their order, and the name of the first
+    failure ('' where no material reached its limit).
 
     The peak is the largest load up to the first failure: a law that holds its last stress beyond the crushing
     strain lends no capacity.
     """
-    curve = service.curve
     measures = _measures(service)
     events = []
     for name, (measure, place) in measures.items():
@@ -105,12 +119,12 @@ def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
     model = service.model
     concrete, steel, strand = model.concrete, model.steel, model.strand
     eps0, kappa, place = sections(model.x, service.u)
-    low, high = eps0 - model.bottom * kappa, eps0 - model.top * kappa
+    faces = service.face_strain()
     measures = {}
     if concrete.law != ELASTIC:
         eps_cr = 0.0 if concrete.tension_law == NO_TENSION else concrete.eps_cr
-        measures["cracking"] = _largest(1.0 + (np.maximum(low, high) - eps_cr) / 1e-3, place)
-        measures[CRUSHING] = _largest(-np.minimum(low, high) / concrete.crushing_strain, place)
+        measures["cracking"] = _largest(1.0 + (faces.max(axis=-1) - eps_cr) / 1e-3, place)
+        measures[CRUSHING] = _largest(-faces.min(axis=-1) / concrete.crushing_strain, place)
     stress = service.T / strand.Aps
     pulled = model.x[stress.argmax(axis=1)]  # a tendon element lies about the beam node of its number
     tendon_yield = stress.max(axis=1) / strand.fpy, pulled

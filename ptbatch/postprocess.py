@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch import stages
+from ptbatch.core.concrete import FREE
 from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
 from ptbatch.design.longterm import TimeLoss
-from ptbatch.events import Recorded, Service, find_events, nearest_to_failure
+from ptbatch.events import Recorded, find_events, nearest_to_failure
 from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
 from ptbatch.response import ANCHORED, END, JACKED, PEAK, SERVICE, SET, Curve, Event, Response, TendonState
@@ -20,6 +21,10 @@ Array = NDArray[np.float64]
 
 SLIGHT = 1e-3  # of the force: less friction than this along the whole tendon holds no set back
 LIMIT = "deflection limit"
+HELD = (
+    "; its supports hold the member lengthwise, so that shrinkage cracks it through: let all but one of them "
+    "be rollers, or give long_term_loss, which leaves the concrete alone"
+)
 SUSTAINED, AND_TIME = "the sustained load", "the sustained load and long-term losses"
 STAGE_ROWS = {
     JACKED: stages.JACKING,
@@ -33,7 +38,13 @@ def stopped(run: Run, stage: int, message: str, loss: TimeLoss | None = None) ->
     """Response of a member that found no equilibrium in a stage before the live load: the stages before it,
     and no capacity."""
     common = _common(run, stage) | {"time_loss": loss}
-    return Response(**common, status="not converged", message=f"{message}{_why(run)}")
+    advice = HELD if stage == stages.TIME and loss and loss.eps_cs and _lengthwise(run) > 1 else ""
+    return Response(**common, status="not converged", message=f"{message}{_why(run)}{advice}")
+
+
+def _lengthwise(run: Run) -> int:
+    """How many supports hold the member lengthwise."""
+    return int(np.count_nonzero(node_values(run.rig.case.model.held, len(run.setup.mesh.x), 0)))
 
 
 def _why(run: Run) -> str:
@@ -42,8 +53,14 @@ def _why(run: Run) -> str:
     last = slice(int(history.rows[0]) - 1, int(history.rows[0]))
     if last.start < 0:
         return ""
-    step = Recorded(run.rig.case.model, history.u[last], history.T[last], history.strain[last])
-    return f"; {nearest_to_failure(step)}"
+    return f"; {nearest_to_failure(recorded(run, last))}"
+
+
+def recorded(run: Run, rows: slice) -> Recorded:
+    """Rows of the record."""
+    case, history = run.rig.case, run.rig.case.history
+    aged, free = history.stage[rows] >= stages.TIME, case.state.concrete[:, :, FREE]
+    return Recorded(case.model, history.u[rows], history.T[rows], history.strain[rows], aged, free)
 
 
 def anchored(run: Run) -> Response:
@@ -55,10 +72,9 @@ def finished(run: Run, ended: int, loss: TimeLoss | None) -> Response:
     """Response of a member that was loaded; ended: how the loading did; loss: what time took before."""
     complete = ended == DONE
     common = _common(run, stages.LIVE) | {"time_loss": loss}
-    rows, history = _service_rows(run), run.rig.case.history
+    rows = _service_rows(run)
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
-    service = Service(run.rig.case.model, history.u[rows], history.T[rows], history.strain[rows], curve)
-    events, failure = find_events(service)
+    events, failure = find_events(recorded(run, slice(rows[0], rows[-1] + 1)), curve)
     before = _before_live(run, events, failure) if failure else ""
     if complete and not failure and not _live_rows(run):
         under = AND_TIME if loss else SUSTAINED
@@ -127,8 +143,9 @@ def _common(run: Run, before: int) -> dict[str, Any]:
         common["elongation_after"] = common["elongation_before"] - setup.member.set * sum(setup.live)
     if (jacked := last[JACKED]) is not None and (after := last[SET]) is not None:
         common["set_length"] = _set_length(run, jacked, after)
-    if (row := last[ANCHORED]) is not None:
-        common["camber"] = float(history.u[row, 5 * setup.mesh.control + 3])
+    for name, stage in (("camber", ANCHORED), ("camber_service", SERVICE)):
+        if (row := last[stage]) is not None:
+            common[name] = float(history.u[row, 5 * setup.mesh.control + 3])
     return common
 
 
@@ -140,9 +157,8 @@ def _states(
     at = {ANCHORED: float(rows[0])}
     at |= {} if peak is None else {PEAK: rows[0] + peak}
     at |= {} if peak is not None and round(peak) == len(rows) - 1 else {END: float(rows[-1])}
-    model, u = run.rig.case.model, run.rig.case.history.u
     near = [round(row) for row in at.values()]
-    cracks = cracks_at(model, u, near, gross_section(run.setup.member).thickness)
+    cracks = cracks_at(recorded(run, slice(near[-1] + 1)), near, gross_section(run.setup.member).thickness)
     later = {stage: _tendon_state(run, row) for stage, row in at.items() if stage not in tendon}
     return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 

@@ -94,8 +94,9 @@ class Response:
 
     status: ok, warning or not converged. elongations in mm, before the set at each live end, from the left;
     elongation_before and elongation_after the sums over these ends;
-    camber in mm, up positive. time_loss: what creep, shrinkage and relaxation take before the live load, None
-    where nothing is known of them (tendon then has no service state).
+    camber after anchoring and camber_service under the sustained load, when time has taken its part, in mm,
+    up positive. time_loss: what creep, shrinkage and relaxation take before the live load, None where nothing
+    is known of them (tendon then has no service state).
     """
 
     member: Member
@@ -109,6 +110,7 @@ class Response:
     elongation_after: float | None = None
     set_length: float | None = None
     camber: float | None = None
+    camber_service: float | None = None
     cracks: dict[str, tuple[Crack, ...]] = field(default_factory=dict)
     curve: Curve | None = None
     events: tuple[Event, ...] = ()

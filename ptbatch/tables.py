@@ -40,14 +40,17 @@ def summary_row(member: Member, response: Response, found: Sequence[Check] | Non
     row["residual_max"] = response.residual_max
     row["newton_iterations"] = response.newton_iterations
     row |= _failure(response) | _checks(member, response, found)
-    return row | {"stress_service_mean [MPa]": _effective(response)}
+    return row | _after_time(response)
 
 
-def _effective(response: Response) -> Value:
-    """Mean stress when time has taken its part."""
-    if (state := response.tendon.get(SERVICE)) is not None:
-        return state.mean
-    return _not_reached(response) if takes_time(response.member) else "no long-term loss is given"
+def _after_time(response: Response) -> Row:
+    """Mean stress and camber when time has taken its part."""
+    told = _not_reached(response) if takes_time(response.member) else "no long-term loss is given"
+    state, camber = response.tendon.get(SERVICE), response.camber_service
+    return {
+        "stress_service_mean [MPa]": told if state is None else state.mean,
+        "camber_service [mm]": told if camber is None else camber,
+    }
 
 
 def _checks(member: Member, response: Response, found: Sequence[Check] | None) -> Row:

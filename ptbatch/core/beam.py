@@ -7,8 +7,9 @@ curvature and moment are positive, the layer at height y strains by eps0 - y kap
 
 import numpy as np
 
-from ptbatch.core.concrete import commit_concrete, fibres
+from ptbatch.core.concrete import FREE, commit_concrete, fibres
 from ptbatch.core.jit import STEP, kernel
+from ptbatch.core.model import beam_dof
 from ptbatch.core.steel import commit_steel, steel_stress
 
 GAUSS = 0.5 - 0.5 / np.sqrt(3.0), 0.5 + 0.5 / np.sqrt(3.0)
@@ -188,9 +189,37 @@ def commit_beam(e, model, state, d):
         eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
         past = state.concrete[e, g]
         for i in range(model.layer_y.size):
-            eps = eps0 - model.layer_y[i] * kappa
+            eps = eps0 - model.layer_y[i] * kappa - past[FREE, i]
             if eps + past[4, i] > past[0, i] or -eps > past[2, i]:
                 commit_concrete(eps, past[:, i], model.concrete)
         for i in range(model.bar_y.size):
             eps = eps0 - model.bar_y[i] * kappa
             state.bar[e, g, i] = commit_steel(eps, state.bar[e, g, i], model.bar_fy[i], model.steel)
+
+
+@kernel
+def concrete_stress(model, state, u, q, stress, modulus):
+    """Stress and modulus (n, 2, m) of the concrete in all layers at the displacements u; q (6,) is
+    scratch."""
+    for e in range(model.x.size - 1):
+        for i in range(3):
+            q[i] = u[beam_dof(e) + i]
+            q[3 + i] = u[beam_dof(e + 1) + i]
+        length = model.x[e + 1] - model.x[e]
+        elongation, _, _, _, turn1, turn2 = chord(length, q)
+        for g in range(2):
+            eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
+            past = state.concrete[e, g]
+            fibres(eps0, kappa, model.layer_y, past, model.concrete, stress[e, g], modulus[e, g])
+
+
+@kernel
+def free_at_faces(model, past):
+    """Strain of creep and shrinkage at the top and at the bottom fibre of a section: on the line through the
+    two layers next to it."""
+    y, free, last = model.layer_y, past[FREE], model.layer_y.size - 1
+    if last == 0:
+        return free[0], free[0]
+    top = free[0] + (free[0] - free[1]) * (model.top - y[0]) / (y[0] - y[1])
+    bottom = free[last] + (free[last] - free[last - 1]) * (model.bottom - y[last]) / (y[last] - y[last - 1])
+    return top, bottom

@@ -18,6 +18,7 @@ from ptbatch.core.jit import STEP, inverse, kernel, power
 
 HOGNESTAD, PARABOLA_RECTANGLE, POPOVICS, ELASTIC = range(4)
 NO_TENSION, SOFTENING, STIFFENING = range(3)
+FREE = 5  # where the history of a fibre has what it strains without a stress: see `commit_concrete`
 
 
 class Concrete(NamedTuple):
@@ -113,18 +114,18 @@ def piece(eps, worst_opening, secant, worst_pressed, unloading, residual, envelo
 
 @kernel
 def fibres(eps0, kappa, layer_y, past, c, stress, modulus):
-    """Stress and modulus (m,) of the layers at layer_y (m,) with the histories past (5, m), under the strains
-    eps0 - y kappa."""
+    """Stress and modulus (m,) of the layers at layer_y (m,) with the histories past (6, m), under the strains
+    eps0 - y kappa less what the concrete does by itself."""
     if c.curved:
         for i in range(layer_y.size):
-            eps = eps0 - layer_y[i] * kappa
+            eps = eps0 - layer_y[i] * kappa - past[FREE, i]
             envelope = tangent_line(-eps, c) if -eps >= past[2, i] else (0.0, 0.0, 0.0)
             a, b, d = piece(eps, past[0, i], past[1, i], past[2, i], past[3, i], past[4, i], envelope, c)
             stress[i] = a + eps * (b + eps * d)
             modulus[i] = b + 2.0 * eps * d
         return
     for i in range(layer_y.size):
-        eps = eps0 - layer_y[i] * kappa
+        eps = eps0 - layer_y[i] * kappa - past[FREE, i]
         envelope = parabola(-eps, c)
         a, b, d = piece(eps, past[0, i], past[1, i], past[2, i], past[3, i], past[4, i], envelope, c)
         stress[i] = a + eps * (b + eps * d)
@@ -143,8 +144,9 @@ def residual_strain(x, c):
 
 @kernel
 def commit_concrete(eps, past, c):
-    """Move the history past (5,) on where eps exceeds it; strains and moduli as magnitudes: worst tension,
-    its secant, worst compression, its unloading modulus and residual strain."""
+    """Move the history past (6,) on where eps exceeds it; strains and moduli as magnitudes: worst tension,
+    its secant, worst compression, its unloading modulus and residual strain. The last one, `FREE`, is the
+    strain of creep and shrinkage, tension positive, that eps does not have in it."""
     if c.law == ELASTIC:
         return
     opening = eps + past[4]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ptbatch.core.beam import GAUSS, chord, strains
+from ptbatch.core.beam import GAUSS, chord, free_at_faces, strains
 from ptbatch.core.concrete import ELASTIC, NO_TENSION
 from ptbatch.core.history import element_displacements
 from ptbatch.core.jit import kernel
@@ -29,7 +29,9 @@ def demands(case, u):
         elongation, _, _, _, turn1, turn2 = chord(length, work.q6)
         for g in range(2):
             eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
-            top, bottom = eps0 - model.top * kappa, eps0 - model.bottom * kappa
+            free_top, free_bottom = free_at_faces(model, state.concrete[e, g])
+            top = eps0 - model.top * kappa - free_top
+            bottom = eps0 - model.bottom * kappa - free_bottom
             opening = max(opening, top, bottom)
             crushing = max(crushing, -top, -bottom)
             for i in range(model.bar_y.size):

@@ -27,6 +27,19 @@ class History(NamedTuple):
     anchor: np.ndarray  # (rows, 2) force at the two anchors
     strain: np.ndarray  # (rows,) largest of the tendon
 
+    def join(self, first: int) -> None:
+        """Make one row, the last of them, of all from `first` on."""
+        last = int(self.rows[0]) - 1
+        if last <= first:
+            return
+        iterations, residual = self.iterations[first:].sum(), self.residual[first:].max()
+        for column in self[1:]:
+            column[first] = column[last]
+        self.iterations[first], self.residual[first] = iterations, residual
+        for column in self[1:]:
+            column[first + 1 : last + 1] = 0
+        self.rows[0] = first + 1
+
 
 HistoryRef = reference(History, "HistoryRef")
 

@@ -59,7 +59,7 @@ class State(NamedTuple):
     """Committed state; everything that a restored step must bring back."""
 
     u: np.ndarray  # (ndof,)
-    concrete: np.ndarray  # (n, 2, 5, m) see commit_concrete
+    concrete: np.ndarray  # (n, 2, 6, m) see commit_concrete
     bar: np.ndarray  # (n, 2, r) plastic strain, nan where ruptured
     tendon: np.ndarray  # (n+1,) largest strain
     segment: np.ndarray  # (n+2,) int, the duct segment of each tendon node

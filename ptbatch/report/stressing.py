@@ -61,7 +61,15 @@ def _three(stored: Stored, line: Table, header: str) -> tuple[str, ...]:
 
 
 def camber(stored: Stored) -> str:
-    """Camber after anchoring, or why there is none."""
+    """Camber after anchoring, or why there is none, and when time has taken its part, if that is known."""
+    text = _length(stored, "camber_anchored [mm]")
+    if np.isfinite(stored.value("camber_service [mm]")):
+        later = _length(stored, "camber_service [mm]")
+        text += f"; under the sustained load, when time has taken its part: {later}"
+    return text
+
+
+def _length(stored: Stored, name: str) -> str:
     words = Words(stored.system)
-    text = words.said(stored.summary.get("camber_anchored [mm]"), "mm")
-    return f"{text} {words.unit('mm')}" if np.isfinite(stored.value("camber_anchored [mm]")) else text
+    text = words.said(stored.summary.get(name), "mm")
+    return f"{text} {words.unit('mm')}" if np.isfinite(stored.value(name)) else text

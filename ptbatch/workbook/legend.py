@@ -48,6 +48,7 @@ MEANINGS: Mapping[str, Mapping[str, str]] = {
         "utilisation_max": "the largest demand over limit of all checks",
         "governing_check": "the check that it is of",
         "stress_service_mean": f"mean stress {_STRESS}, when time has taken its part, before the live load",
+        "camber_service": "at the control point when time has taken its part, up positive",
     },
     "checks": {
         "member": "name; one row per check by the standard of its row",

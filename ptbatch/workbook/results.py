@@ -44,6 +44,7 @@ SUMMARY = (
     "utilisation_max",
     "governing_check",
     "stress_service_mean [MPa]",
+    "camber_service [mm]",
 )
 TENDON = ("member", "stage", "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]", "slip [mm]")
 CURVES = (

@@ -21,8 +21,8 @@ def law(concrete_law="hognestad", tension_law="stiffening", fc=40.0, **more):
 def fibre(eps, c, past=None):
     """(stress, modulus) [MPa]."""
     found = np.zeros((2, 1))
-    past = np.zeros(5) if past is None else past
-    fibres(eps, 0.0, np.zeros(1), past.reshape(5, 1), c, found[0], found[1])
+    past = np.zeros(6) if past is None else past
+    fibres(eps, 0.0, np.zeros(1), past.reshape(6, 1), c, found[0], found[1])
     return found[:, 0]
 
 
@@ -38,7 +38,7 @@ def modulus(eps, c, past=None):
 
 def history(c, *strains):
     """History of a fibre that has been to these strains."""
-    past = np.zeros(5)
+    past = np.zeros(6)
     for eps in strains:
         commit_concrete(eps, past, c)
     return past

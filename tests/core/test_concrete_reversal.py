@@ -59,7 +59,7 @@ def test_tension_counts_from_the_residual_strain(concrete_law):
 @any_curved
 @any_tension
 def test_stress_stays_continuous_and_within_the_laws_through_any_history(concrete_law, tension_law):
-    c, past, before = law(concrete_law, tension_law), np.zeros(5), 0.0
+    c, past, before = law(concrete_law, tension_law), np.zeros(6), 0.0
     turns = [0.0, -0.0006, 3 * EPS_CR, -0.0012, -0.0002, 5 * EPS_CR, -0.0031, 15 * EPS_CR, -0.0036, 0.0]
     steepest = max(EC, c.E0)
     for start, stop in zip(turns, turns[1:], strict=False):

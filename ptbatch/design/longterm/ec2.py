@@ -81,4 +81,5 @@ def losses(
         "(eps_cs Ep + 0.8 relaxation + Ep/Ecm phi sigma,c) / "
         "(1 + Ep Ap/(Ecm Ac) (1 + Ac zcp^2/Ic)(1 + 0.8 phi))"
     )
-    return by_time(creep, eps_cs * Ep * share, 0.8 * relaxed * share, formula, "EN 1992-1-1 (5.46)")
+    causes = creep, eps_cs * Ep * share, 0.8 * relaxed * share
+    return by_time(*causes, formula, "EN 1992-1-1 (5.46)", phi, eps_cs)

@@ -75,4 +75,4 @@ def losses(
     CR, SH = creep(fcpa, Ep, Ec), shrinkage(Ep, V_S, RH, max(days, DAYS[0]))
     RE = relaxation(fpi, fpu, CR + SH, kind)
     formula = "1.6 (Es/Ec) fcpa + 8.2e-6 Ksh Es (1 - 0.06 V/S) (100 - RH) + [Kre - J (SH + CR)] C"
-    return by_time(CR, SH, RE, formula, "ACI 423.10R, Zia et al. (1979)")
+    return by_time(CR, SH, RE, formula, "ACI 423.10R, Zia et al. (1979)", K_CR, SH / Ep)
