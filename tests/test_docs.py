@@ -71,7 +71,8 @@ def test_programs_run(page, folder):
 
 def test_numbers_of_the_worked_example(folder):
     """Frozen, to the printed digits, by way of the page's own commands. Beyond cracking round-off decides
-    about some tenths of a per cent, which differ between kinds of processors."""
+    about some tenths of a per cent, which differ between kinds of processors; where a flat peak has its
+    largest load, it decides about one or two."""
     (folder / "beams.xlsx").unlink()
     for line in "".join(blocks(NUMBERED, "sh")).splitlines():
         assert exit_code(shlex.split(line)[1:]) == 0
@@ -85,7 +86,7 @@ def test_numbers_of_the_worked_example(folder):
             assert row[header] == text
             continue
         digit = 10.0 ** -len(text.partition(".")[2])
-        loose = 0.01 if "peak" in header or "yield" in header else 0.0
+        loose = 0.03 if header == "deflection_peak [mm]" else 0.01 if re.search("peak|yield", header) else 0.0
         assert row[header] == pytest.approx(float(text), rel=loose, abs=0.51 * digit), header
 
 
