@@ -1,6 +1,7 @@
 """The analysis of one member: jacking, wedge set, anchoring, service."""
 
 from ptbatch import stages
+from ptbatch.ageing import lose
 from ptbatch.core.case import Case, Tolerance
 from ptbatch.core.follow import Control
 from ptbatch.core.history import new_history
@@ -121,7 +122,7 @@ def serve(run: Run, refine: int, loss: TimeLoss | None = None) -> int:
     try:
         stages.sustain(run.rig, (setup.self_weight, full), bonded)
         if loss is not None and not run.rig.failed:
-            stages.lose(run.rig, full, loss, bonded)
+            lose(run.rig, full, loss, bonded)
     except stages.NoEquilibriumError:
         if not run.rig.failed:
             raise

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from ptbatch import stages
+from ptbatch.ageing import lose
 from ptbatch.analysis import analyse, jacking_stress, prepare, stress
 from ptbatch.core.beam import free_at_faces
 from ptbatch.core.concrete import FREE
@@ -38,7 +39,7 @@ def stressed(**values):
 
 def after(run, what, bonded=False):
     """Take what time takes, under no load."""
-    stages.lose(run.rig, run.setup.self_weight, what, bonded)
+    lose(run.rig, run.setup.self_weight, what, bonded)
 
 
 def test_a_centric_prism_shortens():

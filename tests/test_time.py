@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ptbatch import stages
+from ptbatch.ageing import lose
 from ptbatch.analysis import analyse, jacking_stress, prepare, stress
 from ptbatch.design.longterm import TimeLoss
 from ptbatch.member import Member
@@ -46,7 +46,7 @@ def test_an_elastic_prism_grows_as_the_prestress_falls():
     stress(run)
     before, u, loads = run.rig.mean_stress, run.rig.case.state.u, run.setup.self_weight
     short = u[5 * 4 + 2] - u[2]
-    stages.lose(run.rig, loads, TimeLoss({"lump sum": 200.0}, "", ""), bonded=False)
+    lose(run.rig, loads, TimeLoss({"lump sum": 200.0}, "", ""), bonded=False)
     assert before - run.rig.mean_stress == pytest.approx(200.0, rel=1e-6)
     grown = u[5 * 4 + 2] - u[2] - short
     assert grown == pytest.approx(200.0 * 500 * 10_000 / (member.Ec * 300 * 300), rel=2e-3)  # finite strains

@@ -6,7 +6,7 @@ from typing import Any
 from matplotlib.axes import Axes
 
 from ptbatch.plots import style
-from ptbatch.response import ANCHORED, END, JACKED, PEAK
+from ptbatch.response import ANCHORED, END, JACKED, PEAK, SERVICE
 from ptbatch.workbook.stored import Stored
 
 X, FE, ANALYTIC = "x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]"
@@ -33,10 +33,11 @@ def draw_stress(axes: Axes, stored: Stored) -> None:
 
 
 def draw_redistribution(axes: Axes, several: Sequence[Stored]) -> None:
-    """Stress at the peak and at the end of the curve, as in Fig. 11; for one member also after anchoring."""
+    """Stress at the peak and at the end of the curve, as in Fig. 11; of one member also after anchoring and
+    when time has taken its part."""
     for i, stored in enumerate(several):
         alone = len(several) == 1
-        for stage in (ANCHORED, *LOADED) if alone else LOADED:
+        for stage in (ANCHORED, SERVICE, *LOADED) if alone else LOADED:
             line = stored.tendon.stage(stage)
             if not len(line):
                 continue

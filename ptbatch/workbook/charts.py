@@ -11,7 +11,7 @@ from openpyxl.utils import get_column_letter
 from ptbatch.workbook.column import System
 from ptbatch.workbook.systems import headers_in
 
-COLOURS = {"jacked": "1F4E79", "set": "7F7F7F", "anchored": "2E8B57", "peak": "C00000"}
+COLOURS = {"jacked": "1F4E79", "set": "7F7F7F", "anchored": "2E8B57", "service": "7030A0", "peak": "C00000"}
 MARKERS = {"cracking": ("triangle", "E69F00"), "yield": ("square", "7030A0"), "peak": ("circle", "C00000")}
 WIDTH, HEIGHT = 26.0, 11.0  # cm
 THIN, THICK = 12_700, 22_225  # EMU

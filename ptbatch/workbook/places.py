@@ -10,7 +10,7 @@ from ptbatch.workbook.column import System
 from ptbatch.workbook.results import Outcome
 from ptbatch.workbook.systems import written
 
-VIEWED = ("jacked", "set", "anchored", "peak")  # stages
+VIEWED = ("jacked", "set", "anchored", "service", "peak")  # stages
 PLACES = ("member", "summary", *VIEWED, "points", "curves", "steps")
 NONE = "none"  # where a member has no such rows
 

@@ -13,7 +13,7 @@ from ptbatch.workbook.site import SHEET, site_headers
 from ptbatch.workbook.viewer import FIRST, write_viewer
 from ptbatch.workbook.write import Book
 
-STAGES = ("jacked", "set", "anchored", "peak")
+STAGES = ("jacked", "set", "anchored", "service", "peak")
 
 
 def outcome(points: int, steps: int, stages=STAGES) -> Outcome:
