@@ -26,7 +26,7 @@ CHANGED = "frozen is {}: if that is meant, run `python -m tests.test_iterations`
 
 class Frozen(NamedTuple):
     """Iterations of all nudges; mean tendon stress after anchoring [MPa]; peak load [kN] and how far the
-    nudges are from the first."""
+    nudges are from the first, on that of two kinds of processors where they are farther."""
 
     iterations: int
     anchored: float
@@ -35,8 +35,8 @@ class Frozen(NamedTuple):
 
 
 FROZEN = {
-    "15 m beam": Frozen(2225, 1267.678, 403.46003, 1e-04),
-    "60 elements": Frozen(8466, 1267.6875, 400.4867, 5e-05),
+    "15 m beam": Frozen(2225, 1267.678, 403.46003, 8e-04),
+    "60 elements": Frozen(8466, 1267.6875, 400.4867, 9e-04),
     "bonded": Frozen(1385, 1267.678, 446.20128, 2e-12),
     "two jacks": Frozen(1504, 1218.5507, 397.17824, 2e-10),
     "two spans": Frozen(1763, 1252.0509, 1176.2958, 3e-11),
