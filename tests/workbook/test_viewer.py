@@ -116,8 +116,8 @@ def test_places():
     places.add({"member": "B2"}, outcome(5, 6))
     lines = [dict(zip(PLACES, place.line(), strict=True)) for place in places.places]
     assert [line["summary"] for line in lines] == [2, 3, 4]
-    assert [line["jacked"] for line in lines] == [1, 13, 17]
-    assert [line["peak"] for line in lines] == [10, "none", 32]
+    assert [line["jacked"] for line in lines] == [1, 16, 20]
+    assert [line["peak"] for line in lines] == [13, "none", 40]
     assert [line["curves"] for line in lines] == [1, "none", 5]
     assert (places.most_points, places.most_steps) == (5, 6)
 
@@ -127,8 +127,8 @@ def test_charts_and_choice(viewer):
     (rule,) = formulas.data_validations.dataValidation
     assert (rule.type, rule.formula1, str(rule.sqref)) == ("list", "places!$A$2:$A$3", "B1")
     stress, curve = formulas._charts
-    assert (len(stress.series), len(curve.series)) == (6, 4)
-    assert [s.yVal.numRef.f for s in curve.series][0] == "'viewer'!$AE$3:$AE$8"
+    assert (len(stress.series), len(curve.series)) == (7, 4)
+    assert [s.yVal.numRef.f for s in curve.series][0] == "'viewer'!$AF$3:$AF$8"
 
 
 def test_results_with_a_viewer(book, beam, engine):
