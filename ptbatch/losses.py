@@ -24,6 +24,8 @@ from ptbatch.geometry.curve import GAUSS_POINTS, GAUSS_WEIGHTS, Array
 End = Literal["left", "right"]
 Reversal = Literal["friction", "mirror"]
 
+STILL = 1e-10  # of the length: how near the still point is found; the stress there is a maximum or a minimum
+
 LIVE_ENDS: dict[str, tuple[End, ...]] = {"left": ("left",), "right": ("right",), "both": ("left", "right")}
 
 
@@ -275,7 +277,7 @@ def _still_point(friction: Friction, end: End, removed: float) -> float:
 
     if removed == 0.0:
         return near
-    return far if excess(far) <= 0.0 else float(brentq(excess, near, far))
+    return far if excess(far) <= 0.0 else float(brentq(excess, near, far, xtol=STILL * abs(far - near)))
 
 
 def _meeting_point(friction: Friction, removed: float) -> float:

@@ -57,9 +57,12 @@ class Profile:
 
     @cached_property
     def _places(self) -> tuple[Array, Array]:
-        """Places and the arc length up to them."""
+        """Places and the arc length up to them, by the trapezoidal rule: so short stretches are all but
+        straight."""
         x = np.union1d(np.linspace(self.breaks[0], self.breaks[-1], PLACES), self.breaks)
-        return x, self.arc_length(x)
+        slopes = self.slope(x[:-1], "right"), self.slope(x[1:], "left")
+        stretch = 0.5 * np.diff(x) * (np.hypot(1.0, slopes[0]) + np.hypot(1.0, slopes[1]))
+        return x, np.append(0.0, np.cumsum(stretch))
 
     def angle(self, x: ArrayLike) -> Array:
         """Sum of absolute changes of direction from the left end to x [rad].
@@ -94,8 +97,8 @@ class Profile:
     def _locate(self, x: ArrayLike, side: Side = "right") -> tuple[NDArray[np.intp], Array]:
         """Piece that x lies in and distance from its left end; at a break the piece on the given side."""
         x = np.asarray(x, dtype=float)
-        piece = np.clip(np.searchsorted(self.breaks, x, side=side) - 1, 0, len(self.coefficients) - 1)
-        return piece, x - self.breaks[piece]
+        piece = np.searchsorted(self.breaks[1:-1], x, side=side)
+        return np.asarray(piece), x - self.breaks[piece]
 
     def _depth(self, piece: NDArray[np.intp], t: Array) -> Array:
         """Depth at the distance t from the left end of each piece."""
