@@ -10,6 +10,7 @@ from benchmarks.stagewise import stressed
 from benchmarks.table import Table
 from ptbatch.analysis import serve
 from ptbatch.core.assembly import add_beam, tangent
+from ptbatch.core.beam import beam_strains
 from ptbatch.core.case import Target
 from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.failure import demands
@@ -17,6 +18,7 @@ from ptbatch.core.history import commit
 from ptbatch.core.jit import kernel
 from ptbatch.core.newton import factorise_tangent, residual_alone
 from ptbatch.core.newton import step as increment
+from ptbatch.core.section import section_tangent
 from ptbatch.member import Member
 
 LOOP, REPEATS = 50, 9
@@ -28,8 +30,10 @@ def beams(case, bonded, times):
     for _ in range(times):
         case.work.f[:] = 0.0
         case.work.matrix[:] = 0.0
+        beam_strains(case.model, case.work.trial, case.work)
+        section_tangent(case.model, case.state, 0.0, case.work)
         for e in range(case.model.x.size - 1):
-            add_beam(e, case.model, case.state, case.work.trial, 0.0, case.work)
+            add_beam(e, case.model, case.work)
 
 
 @kernel
@@ -45,7 +49,7 @@ def solved(case, target, times):
     for _ in range(times):
         tangent(case.model, case.state, case.work.trial, case.ends, target.bonded, 0.0, case.work)
         factorise_tangent(case)
-        increment(case, target, True)
+        increment(case, target)
 
 
 @kernel

@@ -52,24 +52,26 @@ def lose(rig: Rig, load: Array, loss: TimeLoss, bonded: bool) -> None:
 
 
 def let_go(model: Model, change: Array, modulus: Array, creep: float) -> Array:
-    """What to strain the layers by (n, 2, m), that are to change by so much. An element is free to stretch
+    """What to strain the layers by (m, 2n), that are to change by so much. An element is free to stretch
     and its two sections are free to bend; of the rest its own layers hold it back, and being held back they
     creep the less.
 
-    modulus (n, 2, m) [MPa]; creep: strain by the stress that this makes [1/MPa].
+    modulus (m, 2n) [MPa]; creep: strain by the stress that this makes [1/MPa].
     """
+    shape = len(model.layer_y), len(model.x) - 1, 2  # layers m, elements e, their sections g
     stiff = np.maximum(modulus, 0.0)
-    ways = np.zeros((2, model.layer_y.size, 3))
+    ways = np.zeros((shape[0], 2, 3))
     ways[..., 0] = 1.0
-    ways[0, :, 1] = ways[1, :, 2] = model.layer_y / (model.top - model.bottom)
-    weighted = (stiff * model.layer_area)[..., None] * ways
-    held = np.linalg.pinv(np.einsum("egmi,gmj->eij", weighted, ways), hermitian=True)
-    free = np.einsum("gmi,eij,ehkj,ehk->egm", ways, held, weighted, change, optimize=True)
+    ways[:, 0, 1] = ways[:, 1, 2] = model.layer_y / (model.top - model.bottom)
+    weights = stiff.reshape(shape) * model.layer_area[:, None, None]
+    held = np.linalg.pinv(np.einsum("meg,mgi,mgj->eij", weights, ways, ways), hermitian=True)
+    moved = np.einsum("meg,mgi,meg->ei", weights, ways, change.reshape(shape))
+    free = np.einsum("mgi,eij,ej->meg", ways, held, moved).reshape(change.shape)
     return np.asarray(free + (change - free) / (1.0 + creep * stiff))
 
 
 def age(rig: Rig, load: Array, own: Array, rest: Array, bonded: bool) -> None:
-    """Move the concrete's own strain (n, 2, m) and the tendon's length at rest (n+1,) from where they are, in
+    """Move the concrete's own strain (m, 2n) and the tendon's length at rest (n+1,) from where they are, in
     steps that Newton's method can take."""
     held, length = rig.case.ends.value.copy(), rig.case.model.rest_length
     own_from, rest_from, done = rig.own_strain.copy(), length.copy(), 0.0

@@ -52,7 +52,7 @@ def prepare(setup: Setup, fpj: float) -> Run:
         arrays,
         state,
         ends,
-        new_work(n, half_bandwidth(setup, start), len(arrays.layer_y)),
+        new_work(n, half_bandwidth(setup, start)),
         new_history(ROWS, n),
         Tolerance(
             1e-9,

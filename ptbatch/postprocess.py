@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch import stages
-from ptbatch.core.concrete import FREE
 from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
 from ptbatch.design.longterm import TimeLoss
@@ -59,7 +58,8 @@ def _why(run: Run) -> str:
 def recorded(run: Run, rows: slice) -> Recorded:
     """Rows of the record."""
     case, history = run.rig.case, run.rig.case.history
-    aged, free = history.stage[rows] >= stages.TIME, case.state.concrete[:, :, FREE]
+    aged = history.stage[rows] >= stages.TIME
+    free = np.moveaxis(run.rig.own_strain.reshape(-1, len(case.model.x) - 1, 2), 0, -1)
     return Recorded(case.model, history.u[rows], history.T[rows], history.strain[rows], aged, free)
 
 

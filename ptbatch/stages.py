@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ptbatch.core.beam import concrete_stress
 from ptbatch.core.case import Case, open_case
 from ptbatch.core.concrete import FREE
 from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
 from ptbatch.core.failure import LIMIT, demands
 from ptbatch.core.follow import Control, follow
+from ptbatch.core.history import concrete_stress
 from ptbatch.core.model import ANCHORED, PRESCRIBED, PULLED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, ramp
 
@@ -73,16 +73,16 @@ class Rig:
         return float(np.average(self.case.work.T, weights=model.rest_length) / model.strand.Aps)
 
     def concrete_stress(self) -> Pair:
-        """Stress and modulus of the concrete in all layers (n, 2, m) in the committed state [MPa]."""
-        model, state, _, work, *_ = self.case
+        """Stress and modulus of the concrete in all layers and sections (m, 2n) in the committed state
+        [MPa]."""
         stress, modulus = np.empty((2, *self.own_strain.shape))
-        concrete_stress(model, state, state.u, work.q6, stress, modulus)
+        concrete_stress(self.handle, stress, modulus)
         return stress, modulus
 
     @property
     def own_strain(self) -> Array:
-        """What the concrete has crept and shrunk by in all layers (n, 2, m), tension positive."""
-        return self.case.state.concrete[:, :, FREE]
+        """What the concrete has crept and shrunk by in all layers and sections (m, 2n), tension positive."""
+        return self.case.state.concrete[:, FREE]
 
     def gap(self, side: int) -> float:
         """How far the tendon's end stands out of its anchor [mm]."""

@@ -35,13 +35,13 @@ class Frozen(NamedTuple):
 
 
 FROZEN = {
-    "15 m beam": Frozen(2225, 1267.678, 403.46003, 8e-04),
-    "60 elements": Frozen(8466, 1267.6875, 400.4867, 9e-04),
-    "bonded": Frozen(1385, 1267.678, 446.20128, 2e-12),
-    "two jacks": Frozen(1504, 1218.5507, 397.17824, 2e-10),
-    "two spans": Frozen(1763, 1252.0509, 1176.2958, 3e-11),
-    "four spans, no bars": Frozen(7533, 1178.7197, 2733.2845, 6e-09),
-    "slab strip": Frozen(2328, 1229.1867, 73.764234, 2e-03),
+    "15 m beam": Frozen(2038, 1267.678, 403.51043, 8e-04),
+    "60 elements": Frozen(7239, 1267.6875, 400.4867, 2e-03),
+    "bonded": Frozen(1315, 1267.678, 446.20128, 6e-04),
+    "two jacks": Frozen(1400, 1218.5507, 397.17824, 2e-10),
+    "two spans": Frozen(1850, 1252.0509, 1176.2958, 2e-11),
+    "four spans, no bars": Frozen(5970, 1178.7197, 2733.2845, 6e-05),
+    "slab strip": Frozen(2270, 1229.1867, 73.762796, 2e-03),
 }
 
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from ptbatch.core.contact import ALMOST
 from ptbatch.core.embedding import arm, turned
-from ptbatch.core.jit import kernel, root
+from ptbatch.core.jit import cos_sin, kernel, root
 from ptbatch.core.model import ANCHORED, PRESCRIBED
 
 
@@ -41,8 +41,9 @@ def anchor(side, model):
 @kernel
 def end_position(q, a):
     """The tendon's end node relative to the beam node's place at rest, and the current outward tangent."""
-    ax, ay = arm(a.y, q[3])
-    ox, oy = turned(a.out_x, a.out_y, q[3])
+    turn = cos_sin(q[3])
+    ax, ay = arm(a.y, turn)
+    ox, oy = turned(a.out_x, a.out_y, turn)
     return q[1] + ax + q[0] * ox, q[2] + ay + q[0] * oy, ox, oy
 
 

@@ -1,7 +1,7 @@
 """Internal forces and tangent of the whole member from its elements."""
 
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
-from ptbatch.core.beam import beam_forces, beam_tangent
+from ptbatch.core.beam import beam_forces, beam_strains, beam_tangent
 from ptbatch.core.contact import (
     EXPECTED_BACKWARD,
     EXPECTED_FORWARD,
@@ -9,12 +9,14 @@ from ptbatch.core.contact import (
     HELD,
     UNKNOWN,
     contact_forces,
+    masters,
     project,
     segment,
 )
 from ptbatch.core.contact_tangent import contact_tangent
-from ptbatch.core.jit import STEP, kernel
+from ptbatch.core.jit import STEP, cos_sin, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
+from ptbatch.core.section import section_forces, section_tangent
 from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
 from ptbatch.core.turning import roughness
 
@@ -34,9 +36,11 @@ def gather_end(side, model, u, work):
 
 
 @kernel
-def place_tendon(model, u, work):
-    """Displacements of all tendon nodes from `tendon_x`."""
+def place_nodes(model, u, work):
+    """Displacements of all tendon nodes from `tendon_x`, and how the beam nodes have turned."""
     n = model.x.size - 1
+    for k in range(n + 1):
+        work.turn[k, 0], work.turn[k, 1] = cos_sin(u[beam_dof(k) + 2])
     for j in range(1, n + 1):
         work.place[j, 0] = u[tendon_dof(j)]
         work.place[j, 1] = u[tendon_dof(j) + 1]
@@ -67,18 +71,22 @@ def stretch_tendon(model, state, work, with_slope):
 
 @kernel
 def gather_contact(j, model, u, work):
-    """q12 of the contact element of tendon node j on its present segment."""
+    """q8 of the contact element of tendon node j on its present segment."""
     m = work.segment[j]
-    q = work.q12
+    q = work.q8
     x = model.x[m]
     q[0] = model.tendon_x[j, 0] - x + work.place[j, 0]
     q[1] = model.tendon_x[j, 1] + work.place[j, 1]
     for i in range(6):
         q[2 + i] = u[beam_dof(m) + i] if i < 3 else u[beam_dof(m + 1) + i - 3]
-    q[8] = model.tendon_x[j - 1, 0] - x + work.place[j - 1, 0]
-    q[9] = model.tendon_x[j - 1, 1] + work.place[j - 1, 1]
-    q[10] = model.tendon_x[j + 1, 0] - x + work.place[j + 1, 0]
-    q[11] = model.tendon_x[j + 1, 1] + work.place[j + 1, 1]
+
+
+@kernel
+def duct_at(j, seg, work):
+    """The duct of the segment that tendon node j is on, see `masters`."""
+    m = work.segment[j]
+    turn1, turn2 = (work.turn[m, 0], work.turn[m, 1]), (work.turn[m + 1, 0], work.turn[m + 1, 1])
+    return masters(work.q8, turn1, turn2, seg)
 
 
 @kernel
@@ -91,13 +99,14 @@ def find_segments(model, u, work):
     """
     n = model.x.size - 1
     reach = ((work.matrix.shape[1] - 1) // 2 - 9) // 5
-    place_tendon(model, u, work)
+    place_nodes(model, u, work)
     for j in range(1, n + 1):
         for _ in range(n):
             m = work.segment[j]
             gather_contact(j, model, u, work)
             seg = segment(m, model)
-            xi = project(work.q12, work.xi[j], seg)
+            px, py = duct_at(j, seg, work)
+            xi = project(work.q8, px, py, work.xi[j], seg)
             if xi > 1.0 and m < min(n - 1, j - 1 + reach):
                 work.segment[j] = m + 1
                 work.xi[j] = (xi - 1.0) * seg.h / (model.x[m + 2] - model.x[m + 1])
@@ -185,16 +194,17 @@ def duct_force(j, held, model, state, u, work):
     returned: (N, T_t, s). held: as grout would hold it."""
     gather_contact(j, model, u, work)
     seg = segment(work.segment[j], model)
-    work.xi[j] = project(work.q12, work.xi[j], seg)
+    px, py = duct_at(j, seg, work)
+    work.xi[j] = project(work.q8, px, py, work.xi[j], seg)
     N, Tt, s, _ = contact_forces(
-        work.q12,
+        work.q8,
+        px,
+        py,
         work.xi[j],
+        (work.chord[j - 1, 0], work.chord[j - 1, 1]),
+        (work.chord[j, 0], work.chord[j, 1]),
         work.T[j - 1],
         work.T[j],
-        0.0,
-        0.0,
-        work.length[j - 1],
-        work.length[j],
         state.s[j],
         state.rub[j],
         work.rough[j],
@@ -210,13 +220,13 @@ def duct_force(j, held, model, state, u, work):
 def internal_forces(model, state, u, ends, bonded, work):
     """work.f at u, on the duct segments found by the last search: the cheap path of the line search."""
     n = model.x.size - 1
-    place_tendon(model, u, work)
+    place_nodes(model, u, work)
     stretch_tendon(model, state, work, False)
     work.f[:] = 0.0
+    beam_strains(model, u, work)
+    section_forces(model, state, work)
     for e in range(n):
-        for i in range(6):
-            work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-        beam_forces(e, model, state, work.q6, work.fibre, work.f6)
+        beam_forces(e, work, work.f6)
         for i in range(3):
             work.left_end[e, i] = work.f6[i]
         for i in range(6):
@@ -230,6 +240,8 @@ def internal_forces(model, state, u, ends, bonded, work):
     for j in range(1, n + 1):
         held = bonded or work.motion[j] == GROUTED
         work.normal[j], work.shear[j], work.s[j] = duct_force(j, held, model, state, u, work)
+        for i in range(8):
+            work.duct[j, i] = work.f8[i]
         add_contact_forces(j, work)
     add_ends(model, state, u, ends, work)
 
@@ -269,8 +281,10 @@ def tangent(model, state, u, ends, bonded, damping, work):
     stretch_tendon(model, state, work, True)
     work.f[:] = 0.0
     work.matrix[:] = 0.0
+    beam_strains(model, u, work)
+    section_tangent(model, state, damping, work)
     for e in range(n):
-        add_beam(e, model, state, u, damping, work)
+        add_beam(e, model, work)
     for e in range(1, n):
         add_truss(e, work)
     work.held_back[0] = 0
@@ -286,10 +300,8 @@ def tangent(model, state, u, ends, bonded, damping, work):
 
 
 @kernel
-def add_beam(e, model, state, u, damping, work):
-    for i in range(6):
-        work.q6[i] = u[beam_dof(e) + i] if i < 3 else u[beam_dof(e + 1) + i - 3]
-    beam_tangent(e, model, state, work.q6, damping, work.fibre, work.f6, work.k6)
+def add_beam(e, model, work):
+    beam_tangent(e, model, work, work.f6, work.k6)
     for i in range(6):
         work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
     for i in range(2):
@@ -320,9 +332,15 @@ def add_contact(j, model, state, u, bonded, work):
     """Force and tangent of one contact element."""
     gather_contact(j, model, u, work)
     seg = segment(work.segment[j], model)
+    px, py = duct_at(j, seg, work)
     N, Tt, s, motion = contact_tangent(
-        work.q12,
+        work.q8,
+        px,
+        py,
         work.xi[j],
+        (work.chord[j - 1, 0], work.chord[j - 1, 1]),
+        (work.chord[j, 0], work.chord[j, 1]),
+        (work.length[j - 1], work.length[j]),
         (work.T[j - 1], work.T[j]),
         (work.slope[j - 1], work.slope[j]),
         state.s[j],

@@ -49,18 +49,29 @@ def factorise(a, half, multipliers, pivots):
 
 
 @kernel
-def substitute(a, half, multipliers, pivots, b):
-    """Solve for one right-hand side b (n,), in place."""
+def substitute(a, half, multipliers, pivots, b, c):
+    """Solve for two right-hand sides b and c (n,), in place: a second one costs next to nothing, since each
+    number waits for the one before."""
     n = a.shape[0]
     width = 2 * half + 1
     for k in range(n):
         p = pivots[k]
         if p != k:
             b[k], b[p] = b[p], b[k]
-        for i in range(k + 1, min(k + half + 1, n)):
-            b[i] -= multipliers[k, i - k - 1] * b[k]
+            c[k], c[p] = c[p], c[k]
+        for i in range(min(half, n - 1 - k)):
+            b[k + 1 + i] -= multipliers[k, i] * b[k]
+            c[k + 1 + i] -= multipliers[k, i] * c[k]
     for k in range(n - 1, -1, -1):
-        total = b[k]
-        for j in range(1, min(width, n - k)):
-            total -= a[k, j] * b[k + j]
-        b[k] = total / a[k, 0]
+        most = min(width, n - k)
+        b_odd, b_even, c_odd, c_even = b[k], 0.0, c[k], 0.0
+        for j in range(1, most - 1, 2):
+            b_odd -= a[k, j] * b[k + j]
+            c_odd -= a[k, j] * c[k + j]
+            b_even -= a[k, j + 1] * b[k + j + 1]
+            c_even -= a[k, j + 1] * c[k + j + 1]
+        if most % 2 == 0:
+            b_odd -= a[k, most - 1] * b[k + most - 1]
+            c_odd -= a[k, most - 1] * c[k + most - 1]
+        b[k] = (b_odd + b_even) / a[k, 0]
+        c[k] = (c_odd + c_even) / a[k, 0]

@@ -1,71 +1,17 @@
 """Fibre-section Euler-Bernoulli beam element, co-rotational: cubic deflection and constant axial strain about
 its own chord.
 
-Two Gauss sections an element; at these points the bending moment under uniform load is exact. Sagging
-curvature and moment are positive, the layer at height y strains by eps0 - y kappa.
+Two Gauss sections an element; at these points the bending moment under uniform load is exact. What happens in
+the sections is done for all of them at once, in `section`: strains first, then the sections, then the
+elements.
 """
 
 import numpy as np
 
-from ptbatch.core.concrete import FREE, commit_concrete, fibres
-from ptbatch.core.jit import STEP, kernel
-from ptbatch.core.model import beam_dof
-from ptbatch.core.steel import commit_steel, steel_stress
+from ptbatch.core.jit import kernel
+from ptbatch.core.model import element_displacements
 
 GAUSS = 0.5 - 0.5 / np.sqrt(3.0), 0.5 + 0.5 / np.sqrt(3.0)
-
-
-@kernel
-def section_forces(eps0, kappa, model, past, plastic, bar_area, fibre):
-    """(N, M) of one section; fibre (2, m) is scratch for stress and modulus of the layers."""
-    y, area, stress = model.layer_y, model.layer_area, fibre[0]
-    fibres(eps0, kappa, y, past, model.concrete, stress, fibre[1])
-    N = M = 0.0
-    for i in range(y.size):
-        force = area[i] * stress[i]
-        N += force
-        M -= y[i] * force
-    for i in range(model.bar_y.size):
-        if bar_area[i] > 0.0 and not np.isnan(plastic[i]):
-            height = model.bar_y[i]
-            force = bar_area[i] * steel_stress(
-                eps0 - height * kappa, plastic[i], model.bar_fy[i], model.steel
-            )
-            N += force
-            M -= height * force
-    return N, M
-
-
-@kernel
-def section_tangent(eps0, kappa, model, past, plastic, bar_area, damping, fibre):
-    """(N, M, dN/deps0, dN/dkappa = dM/deps0, dM/dkappa).
-
-    damping: added to the modulus of each concrete fibre, as a share of the uncracked one.
-    """
-    y, area, stress, modulus = model.layer_y, model.layer_area, fibre[0], fibre[1]
-    fibres(eps0, kappa, y, past, model.concrete, stress, modulus)
-    more = damping * model.concrete.E0
-    N = M = EA = ES = EI = 0.0
-    for i in range(y.size):
-        force = area[i] * stress[i]
-        stiffness = area[i] * (modulus[i] + more)
-        N += force
-        M -= y[i] * force
-        EA += stiffness
-        ES -= y[i] * stiffness
-        EI += y[i] * y[i] * stiffness
-    for i in range(model.bar_y.size):
-        if bar_area[i] > 0.0 and not np.isnan(plastic[i]):
-            height = model.bar_y[i]
-            bar = steel_stress(complex(eps0 - height * kappa, STEP), plastic[i], model.bar_fy[i], model.steel)
-            force = bar_area[i] * bar.real
-            stiffness = bar_area[i] * (bar.imag / STEP)
-            N += force
-            M -= height * force
-            EA += stiffness
-            ES -= height * stiffness
-            EI += height * height * stiffness
-    return N, M, EA, ES, EI
 
 
 @kernel
@@ -87,22 +33,30 @@ def strains(length, elongation, turn1, turn2, xi):
 
 
 @kernel
-def beam_forces(e, model, state, d, fibre, f):
-    """Nodal forces f (6,) of element e at the displacements d (6,); fibre: see `section_forces`."""
-    length = model.x[e + 1] - model.x[e]
-    elongation, c, s, now, turn1, turn2 = chord(length, d)
-    N = 0.0
-    M1 = 0.0
-    M2 = 0.0
+def beam_strains(model, u, work):
+    """work.frame and work.strain of all elements and their sections at the displacements u."""
+    for e in range(model.x.size - 1):
+        element_displacements(e, u, work.q6)
+        length = model.x[e + 1] - model.x[e]
+        elongation, c, s, now, turn1, turn2 = chord(length, work.q6)
+        work.frame[e, 0], work.frame[e, 1], work.frame[e, 2] = c, s, now
+        for g in range(2):
+            eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
+            work.strain[0, 2 * e + g] = eps0
+            work.strain[1, 2 * e + g] = kappa
+
+
+@kernel
+def beam_forces(e, work, f):
+    """Nodal forces f (6,) of element e from those of its sections; returned as well: its axial force and
+    shear."""
+    N = M1 = M2 = 0.0
     for g in range(2):
-        xi = GAUSS[g]
-        eps0, kappa = strains(length, elongation, turn1, turn2, xi)
-        Ng, Mg = section_forces(
-            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], fibre
-        )
-        N += 0.5 * Ng
+        xi, Mg = GAUSS[g], work.section[1, 2 * e + g]
+        N += 0.5 * work.section[0, 2 * e + g]
         M1 += 0.5 * (6.0 * xi - 4.0) * Mg
         M2 += 0.5 * (6.0 * xi - 2.0) * Mg
+    c, s, now = work.frame[e, 0], work.frame[e, 1], work.frame[e, 2]
     shear = (M1 + M2) / now
     f[0] = -c * N - s * shear
     f[1] = -s * N + c * shear
@@ -110,41 +64,28 @@ def beam_forces(e, model, state, d, fibre, f):
     f[3] = -f[0]
     f[4] = -f[1]
     f[5] = M2
+    return N, shear
 
 
 @kernel
-def beam_tangent(e, model, state, d, damping, fibre, f, k):
-    """Nodal forces f (6,) and tangent k (6, 6): material part by the moduli of the fibres, geometric part of
-    the chord; fibre: see `section_forces`."""
-    length = model.x[e + 1] - model.x[e]
-    elongation, c, s, now, turn1, turn2 = chord(length, d)
-    N = M1 = M2 = 0.0
+def beam_tangent(e, model, work, f, k):
+    """Nodal forces f (6,) and tangent k (6, 6) of element e from those of its sections: material part by the
+    moduli of the fibres, geometric part of the chord."""
+    N, shear = beam_forces(e, work, f)
     k00 = k01 = k02 = k11 = k12 = k22 = 0.0
     for g in range(2):
-        xi = GAUSS[g]
+        xi, at = GAUSS[g], 2 * e + g
         b1 = 6.0 * xi - 4.0
         b2 = 6.0 * xi - 2.0
-        eps0, kappa = strains(length, elongation, turn1, turn2, xi)
-        Ng, Mg, EA, ES, EI = section_tangent(
-            eps0, kappa, model, state.concrete[e, g], state.bar[e, g], model.bar_area[e], damping, fibre
-        )
-        N += 0.5 * Ng
-        M1 += 0.5 * b1 * Mg
-        M2 += 0.5 * b2 * Mg
-        w = 0.5 / length
+        EA, ES, EI = work.section[2, at], work.section[3, at], work.section[4, at]
+        w = 0.5 / (model.x[e + 1] - model.x[e])
         k00 += w * EA
         k01 += w * b1 * ES
         k02 += w * b2 * ES
         k11 += w * b1 * b1 * EI
         k12 += w * b1 * b2 * EI
         k22 += w * b2 * b2 * EI
-    shear = (M1 + M2) / now
-    f[0] = -c * N - s * shear
-    f[1] = -s * N + c * shear
-    f[2] = M1
-    f[3] = -f[0]
-    f[4] = -f[1]
-    f[5] = M2
+    c, s, now = work.frame[e, 0], work.frame[e, 1], work.frame[e, 2]
     # By the far end along the chord (a) and across it (b: the chord turns by b / now), and the rotations
     ab = (shear - k01 - k02) / now
     bb = (k11 + 2.0 * k12 + k22) / (now * now) + N / now
@@ -178,48 +119,3 @@ def fill_symmetric(k, xx, xy, yy, x1, y1, x2, y2, k11, k12, k22):
     k[2, 2] = k11
     k[2, 5] = k[5, 2] = k12
     k[5, 5] = k22
-
-
-@kernel
-def commit_beam(e, model, state, d):
-    """Take the fibres' history to the displacements d (6,)."""
-    length = model.x[e + 1] - model.x[e]
-    elongation, _, _, _, turn1, turn2 = chord(length, d)
-    for g in range(2):
-        eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
-        past = state.concrete[e, g]
-        for i in range(model.layer_y.size):
-            eps = eps0 - model.layer_y[i] * kappa - past[FREE, i]
-            if eps + past[4, i] > past[0, i] or -eps > past[2, i]:
-                commit_concrete(eps, past[:, i], model.concrete)
-        for i in range(model.bar_y.size):
-            eps = eps0 - model.bar_y[i] * kappa
-            state.bar[e, g, i] = commit_steel(eps, state.bar[e, g, i], model.bar_fy[i], model.steel)
-
-
-@kernel
-def concrete_stress(model, state, u, q, stress, modulus):
-    """Stress and modulus (n, 2, m) of the concrete in all layers at the displacements u; q (6,) is
-    scratch."""
-    for e in range(model.x.size - 1):
-        for i in range(3):
-            q[i] = u[beam_dof(e) + i]
-            q[3 + i] = u[beam_dof(e + 1) + i]
-        length = model.x[e + 1] - model.x[e]
-        elongation, _, _, _, turn1, turn2 = chord(length, q)
-        for g in range(2):
-            eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
-            past = state.concrete[e, g]
-            fibres(eps0, kappa, model.layer_y, past, model.concrete, stress[e, g], modulus[e, g])
-
-
-@kernel
-def free_at_faces(model, past):
-    """Strain of creep and shrinkage at the top and at the bottom fibre of a section: on the line through the
-    two layers next to it."""
-    y, free, last = model.layer_y, past[FREE], model.layer_y.size - 1
-    if last == 0:
-        return free[0], free[0]
-    top = free[0] + (free[0] - free[1]) * (model.top - y[0]) / (y[0] - y[1])
-    bottom = free[last] + (free[last] - free[last - 1]) * (model.bottom - y[last]) / (y[last] - y[last - 1])
-    return top, bottom

@@ -8,8 +8,8 @@ to where tension is counted from, and reopens on it: an opened crack does not ca
 is taken no later), and the curve that follows is for information.
 
 Nearly all laws are made of a few parabolas, so that a fibre picks the coefficients of the one
-it is on, without a branch in the code, and a whole section is one loop that the processor can take several
-fibres of at a time. Of a law with a power in it the tangent takes their place.
+it is on, without a branch in the code, and a layer in all sections is one loop that the processor can take
+several fibres of at a time. Of a law with a power in it the tangent takes their place.
 """
 
 from typing import NamedTuple
@@ -113,23 +113,23 @@ def piece(eps, worst_opening, secant, worst_pressed, unloading, residual, envelo
 
 
 @kernel
-def fibres(eps0, kappa, layer_y, past, c, stress, modulus):
-    """Stress and modulus (m,) of the layers at layer_y (m,) with the histories past (6, m), under the strains
-    eps0 - y kappa less what the concrete does by itself."""
+def fibres(y, eps0, kappa, past, c, stress, modulus):
+    """Stress and modulus (k,) of the layer at height y in k sections with the histories past (6, k), under
+    the strains eps0 - y kappa less what the concrete does by itself."""
     if c.curved:
-        for i in range(layer_y.size):
-            eps = eps0 - layer_y[i] * kappa - past[FREE, i]
-            envelope = tangent_line(-eps, c) if -eps >= past[2, i] else (0.0, 0.0, 0.0)
-            a, b, d = piece(eps, past[0, i], past[1, i], past[2, i], past[3, i], past[4, i], envelope, c)
-            stress[i] = a + eps * (b + eps * d)
-            modulus[i] = b + 2.0 * eps * d
+        for s in range(eps0.size):
+            eps = eps0[s] - y * kappa[s] - past[FREE, s]
+            envelope = tangent_line(-eps, c) if -eps >= past[2, s] else (0.0, 0.0, 0.0)
+            a, b, d = piece(eps, past[0, s], past[1, s], past[2, s], past[3, s], past[4, s], envelope, c)
+            stress[s] = a + eps * (b + eps * d)
+            modulus[s] = b + 2.0 * eps * d
         return
-    for i in range(layer_y.size):
-        eps = eps0 - layer_y[i] * kappa - past[FREE, i]
+    for s in range(eps0.size):
+        eps = eps0[s] - y * kappa[s] - past[FREE, s]
         envelope = parabola(-eps, c)
-        a, b, d = piece(eps, past[0, i], past[1, i], past[2, i], past[3, i], past[4, i], envelope, c)
-        stress[i] = a + eps * (b + eps * d)
-        modulus[i] = b + 2.0 * eps * d
+        a, b, d = piece(eps, past[0, s], past[1, s], past[2, s], past[3, s], past[4, s], envelope, c)
+        stress[s] = a + eps * (b + eps * d)
+        modulus[s] = b + 2.0 * eps * d
 
 
 @kernel

@@ -3,8 +3,8 @@ segment.
 
 The segment is tied to the beam nodes at its ends (masters); it is either the straight line between the two
 duct nodes (the paper's) or the cubic with the duct's own directions there, which is the profile itself.
-Degrees of freedom q (12,), those of the paper: slave (x, y), master 1 and 2 (u, v, theta), tendon neighbours
-(x, y); positions relative to the first beam node.
+Degrees of freedom, those of the paper: slave (x, y), master 1 and 2 (u, v, theta), these q (8,), and tendon
+neighbours (x, y), which the chords stand for; positions relative to the first beam node.
 
 Three things go beyond the paper. The force is turned as a whole: N along the bisector n' of the tendon (the
 paper's P_n n + P_cor t is the same vector), friction across it, so that one kink gives T2/T1 = (1 - mu
@@ -16,7 +16,7 @@ friction force about the sheathing is passed on to the masters.
 from typing import NamedTuple
 
 from ptbatch.core.embedding import arm, turned
-from ptbatch.core.jit import inverse, inverse_root, kernel, root
+from ptbatch.core.jit import inverse, inverse_root, kernel
 
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 # Motion of a tendon node along its duct in an iteration
@@ -68,12 +68,13 @@ def shape(xi, smooth):
 
 
 @kernel
-def masters(q, seg):
-    """Duct (point 1, direction 1, point 2, direction 2) as x and y tuples, from the master dofs q[2:8]."""
-    ax1, ay1 = arm(seg.y1, q[4])
-    ax2, ay2 = arm(seg.y2, q[7])
-    dx1, dy1 = turned(seg.h, seg.h * seg.slope1, q[4])
-    dx2, dy2 = turned(seg.h, seg.h * seg.slope2, q[7])
+def masters(q, turn1, turn2, seg):
+    """Duct (point 1, direction 1, point 2, direction 2) as x and y tuples, from the master dofs q[2:8];
+    turn1, turn2: cosine and sine of the angles among these, q[4] and q[7]."""
+    ax1, ay1 = arm(seg.y1, turn1)
+    ax2, ay2 = arm(seg.y2, turn2)
+    dx1, dy1 = turned(seg.h, seg.h * seg.slope1, turn1)
+    dx2, dy2 = turned(seg.h, seg.h * seg.slope2, turn2)
     return (q[2] + ax1, dx1, seg.h + q[5] + ax2, dx2), (q[3] + ay1, dy1, q[6] + ay2, dy2)
 
 
@@ -95,10 +96,9 @@ def projection_step(q, px, py, xi, seg):
 
 
 @kernel
-def project(q, xi, seg):
+def project(q, px, py, xi, seg):
     """xi of the slave's projection, from a first guess; it may lie outside 0..1, which the contact search
-    then mends."""
-    px, py = masters(q, seg)
+    then mends. px, py: see `masters`."""
     for _ in range(20):
         new = projection_step(q, px, py, xi, seg)
         if abs(new - xi) < 1e-14:
@@ -136,23 +136,20 @@ def friction(slip, rub, N, T, rough, was, c):
 
 
 @kernel
-def chords(a, b):
-    """Unit vectors of the two chords that meet at a tendon node and of their bisector t', across n' of eqs
-    (16)-(17): (e3, e4, t')."""
-    la = inverse_root(a[0] * a[0] + a[1] * a[1])
-    lb = inverse_root(b[0] * b[0] + b[1] * b[1])
-    ex, ey, gx, gy = a[0] * la, a[1] * la, b[0] * lb, b[1] * lb
-    ux, uy = ex + gx, ey + gy
-    scale = inverse_root(ux * ux + uy * uy)
-    return (ex, ey), (gx, gy), (ux * scale, uy * scale)
+def bisector(e3, e4):
+    """Unit vector t' across n' of eqs (16)-(17), between those of the two chords that meet at a tendon
+    node."""
+    x, y = e3[0] + e4[0], e3[1] + e4[1]
+    scale = inverse_root(x * x + y * y)
+    return x * scale, y * scale
 
 
 @kernel
 def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
     """Force of the tendon node on its duct: (fx, fy, N, T_t, motion).
 
-    e3, e4, u: see `chords`. t: unit tangent of the duct; gap: across it, eq. (1). slip: along it since the
-    last step. T3, T4: tensions left and right.
+    e3, e4: unit vectors of the chords left and right; u: see `bisector`. t: unit tangent of the duct; gap:
+    across it, eq. (1). slip: along it since the last step. T3, T4: tensions left and right.
     """
     P = c.normal * gap  # eq. (22), both signs: the duct holds the tendon on both sides
     if c.corrected:  # along the bisector: eqs (18)-(20) without their singular cases
@@ -173,13 +170,12 @@ def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
 
 
 @kernel
-def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rough, was, seg, c, f):
+def contact_forces(q, px, py, xi, e3, e4, T3, T4, s0, rub, rough, was, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s, motion).
 
-    xi is the converged real projection: one complex Newton step from there carries its derivative. T3, T4 are
-    the tensions of the tendon elements on the two sides with their slopes by length, which carries theirs.
+    q (8,); px, py: see `masters`. xi is the converged real projection: one complex Newton step from there
+    carries its derivative. e3, e4, T3, T4: unit vectors and tensions of the tendon elements left and right.
     """
-    px, py = masters(q, seg)
     xi_c = projection_step(q, px, py, xi, seg)
     w, w1, _ = shape(xi_c, seg.smooth)
     rx = q[0] - dot4(w, px)
@@ -189,13 +185,9 @@ def contact_forces(q, xi, T3, T4, slope3, slope4, length3, length4, s0, rub, rou
     scale = inverse_root(tx * tx + ty * ty)
     tx = tx * scale
     ty = ty * scale
-    a = (q[0] - q[8], q[1] - q[9])
-    b = (q[10] - q[0], q[11] - q[1])
-    T3 = T3 + slope3 * (root(a[0] * a[0] + a[1] * a[1]) - length3)
-    T4 = T4 + slope4 * (root(b[0] * b[0] + b[1] * b[1]) - length4)
     s = seg.s + xi_c * seg.ds
     gap = ry * tx - rx * ty
-    e3, e4, u = chords(a, b)
+    u = bisector(e3, e4)
     fx, fy, N, Tt, motion = node_force(e3, e4, u, gap, (tx, ty), s - s0, T3, T4, rub, rough, was, c)
     f[0] = fx
     f[1] = fy

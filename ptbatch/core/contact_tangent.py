@@ -11,7 +11,7 @@ r the gap as a vector,
 
 import numpy as np
 
-from ptbatch.core.contact import chords, dot4, friction, masters, shape
+from ptbatch.core.contact import bisector, dot4, friction, shape
 from ptbatch.core.jit import STEP, kernel
 
 
@@ -25,13 +25,15 @@ def friction_derivatives(slip, rub, press, T, rough, was, c):
 
 
 @kernel
-def force_derivatives(a, b, gap, t, slip, T, slope, rub, rough, was, c, d):
-    """(fx, fy, N, T_t, motion), and in d (7, 2) the derivatives of (fx, fy) by a, b, gap, direction, slip.
+def force_derivatives(e3, e4, length, gap, t, slip, T, slope, rub, rough, was, c, d):
+    """(fx, fy, N, T_t, motion), and in d (7, 2) the derivatives of (fx, fy) by the two chords, gap,
+    direction, slip.
 
-    T, slope: tensions left and right and their slopes by length. The force is T_t along u and N across it;
+    e3, e4, length, T, slope: directions of the chords, and left and right their lengths, tensions and the
+    slopes of these by length. The force is T_t along u and N across it;
     u turns by the mean of the two chords' turns, or with the duct where it is not corrected.
     """
-    e3, e4, u = chords(a, b)
+    u = bisector(e3, e4)
     half = 0.5 if c.corrected else 0.0
     P = c.normal * gap
     ux, uy = (u[0], u[1]) if c.corrected else (t[0], t[1])
@@ -51,8 +53,8 @@ def force_derivatives(a, b, gap, t, slip, T, slope, rub, rough, was, c, d):
     grow3 = slope[0] * (by_press * sign * into3 + 0.5 * by_mean)
     grow4 = slope[1] * (by_press * sign * into4 + 0.5 * by_mean)
     duct = 1.0 - 2.0 * half
-    write(0, e3, u_xy(turn3, ux, uy), (grow3 * ux, grow3 * uy), a, d)
-    write(2, e4, u_xy(turn4, ux, uy), (grow4 * ux, grow4 * uy), b, d)
+    write(0, e3, u_xy(turn3, ux, uy), (grow3 * ux, grow3 * uy), length[0], d)
+    write(2, e4, u_xy(turn4, ux, uy), (grow4 * ux, grow4 * uy), length[1], d)
     d[4, 0], d[4, 1] = u_xy((0.0, c.normal * level), ux, uy)
     d[5, 0], d[5, 1] = u_xy((duct * (by_press * press_turn - N), duct * (N_turn + Tt) - N_turn), ux, uy)
     d[6, 0], d[6, 1] = u_xy((by_slip, 0.0), ux, uy)
@@ -66,31 +68,30 @@ def u_xy(f, ux, uy):
 
 
 @kernel
-def write(row, e, turn, grow, chord, d):
+def write(row, e, turn, grow, length, d):
     """Rows of d by the x and y of a chord with the direction e: how the force changes as it turns and as it
     grows."""
-    across = 1.0 / (e[0] * chord[0] + e[1] * chord[1])
+    across = 1.0 / length
     d[row, 0], d[row, 1] = grow[0] * e[0] - turn[0] * e[1] * across, grow[1] * e[0] - turn[1] * e[1] * across
     d[row + 1, 0] = grow[0] * e[1] + turn[0] * e[0] * across
     d[row + 1, 1] = grow[1] * e[1] + turn[1] * e[0] * across
 
 
 @kernel
-def contact_tangent(q, xi, T, slope, s0, rub, rough, was, seg, c, d, f, k):
+def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was, seg, c, d, f, k):
     """Forces f (8,) and tangent k (8, 12); also returned: (N, T_t, s, motion). Arguments as of
-    `contact_forces`, all real; d (7, 2) is scratch."""
-    px, py = masters(q, seg)
+    `contact_forces` and `force_derivatives`, all real; d (7, 2) is scratch."""
     w, w1, w2 = shape(xi, seg.smooth)
     rx, ry = q[0] - dot4(w, px), q[1] - dot4(w, py)
     vx, vy = dot4(w1, px), dot4(w1, py)  # p'
     cx, cy = dot4(w2, px), dot4(w2, py)  # p''
     speed = np.sqrt(vx * vx + vy * vy)
     tx, ty = vx / speed, vy / speed
-    a = (q[0] - q[8], q[1] - q[9])
-    b = (q[10] - q[0], q[11] - q[1])
     s = seg.s + xi * seg.ds
     gap = ry * tx - rx * ty
-    fx, fy, N, Tt, motion = force_derivatives(a, b, gap, (tx, ty), s - s0, T, slope, rub, rough, was, c, d)
+    fx, fy, N, Tt, motion = force_derivatives(
+        e3, e4, length, gap, (tx, ty), s - s0, T, slope, rub, rough, was, c, d
+    )
     # levers of the force about the two masters: arm and direction, by their weights
     ax1, ay1, ax2, ay2 = px[0] - q[2], py[0] - q[3], px[2] - seg.h - q[5], py[2] - q[6]
     lever1 = w[0] * ax1 + w[1] * px[1], w[0] * ay1 + w[1] * py[1]

@@ -4,18 +4,16 @@ It ties u, v, theta of the beam node to the duct node exactly, so it adds no unk
 arm of zero length is nothing special.
 """
 
-from ptbatch.core.jit import cos_sin, kernel
+from ptbatch.core.jit import kernel
 
 
 @kernel
-def arm(y, theta):
-    """The duct node as seen from the beam node: (0, y) turned by theta."""
-    c, s = cos_sin(theta)
-    return -s * y, c * y
+def arm(y, turn):
+    """The duct node as seen from the beam node: (0, y) turned by the angle of this cosine and sine."""
+    return -turn[1] * y, turn[0] * y
 
 
 @kernel
-def turned(x, y, theta):
-    """Vector (x, y) turned by theta."""
-    c, s = cos_sin(theta)
-    return c * x - s * y, s * x + c * y
+def turned(x, y, turn):
+    """Vector (x, y) turned by the angle of this cosine and sine."""
+    return turn[0] * x - turn[1] * y, turn[1] * x + turn[0] * y

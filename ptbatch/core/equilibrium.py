@@ -10,7 +10,7 @@ the duct, which must lie within Coulomb's cone.
 import numpy as np
 
 from ptbatch.core.anchorage import anchor, end_forces
-from ptbatch.core.assembly import duct_force, gather_end, internal_forces
+from ptbatch.core.assembly import gather_end, internal_forces
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import beam_dof, tendon_dof
 
@@ -41,11 +41,10 @@ def on_beam(case, target, factor):
             load = target.fixed[at] + factor * target.pattern[at]
             work.on_beam[k, i] = work.f[at] if model.held[at] else load  # load + reaction where held
     for j in range(1, n + 1):
-        duct_force(j, target.bonded, model, case.state, work.trial, work)
         m = work.segment[j]
         for i in range(3):
-            work.on_beam[m, i] -= work.f8[2 + i]
-            work.on_beam[m + 1, i] -= work.f8[5 + i]
+            work.on_beam[m, i] -= work.duct[j, 2 + i]
+            work.on_beam[m + 1, i] -= work.duct[j, 5 + i]
     for side in range(2):
         end_force(side, case)
         for i in range(3):

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ptbatch.core.beam import GAUSS, chord, free_at_faces, strains
+from ptbatch.core.beam import beam_strains
 from ptbatch.core.concrete import ELASTIC, NO_TENSION
-from ptbatch.core.history import element_displacements
 from ptbatch.core.jit import kernel
+from ptbatch.core.section import face_levers, face_strains
 from ptbatch.core.tendon import ELASTIC_TENDON
 
 CRACKING, YIELD, LIMIT = range(3)  # what `demands` returns, each 1 where it is reached
@@ -23,15 +23,12 @@ def demands(case, u):
     model, state, work = case.model, case.state, case.work
     opening = crushing = -1.0
     bars = yielding = 0.0
+    beam_strains(model, u, work)
+    levers = face_levers(model)
     for e in range(model.x.size - 1):
-        element_displacements(e, u, work.q6)
-        length = model.x[e + 1] - model.x[e]
-        elongation, _, _, _, turn1, turn2 = chord(length, work.q6)
         for g in range(2):
-            eps0, kappa = strains(length, elongation, turn1, turn2, GAUSS[g])
-            free_top, free_bottom = free_at_faces(model, state.concrete[e, g])
-            top = eps0 - model.top * kappa - free_top
-            bottom = eps0 - model.bottom * kappa - free_bottom
+            eps0, kappa = work.strain[0, 2 * e + g], work.strain[1, 2 * e + g]
+            top, bottom = face_strains(2 * e + g, levers, model, state, work)
             opening = max(opening, top, bottom)
             crushing = max(crushing, -top, -bottom)
             for i in range(model.bar_y.size):

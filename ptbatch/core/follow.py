@@ -20,7 +20,9 @@ from ptbatch.core.step import accept, find_equilibrium
 AIM, OVERSHOOT = 1.001, 1.005  # of what is looked for: where a step is to land, how near it must
 LANDINGS = 6  # steps tried to do so
 EASY, HARD = 6, 12  # iterations of a step after which the next one may be longer, should be shorter
-AFTER_FAILURE = 3000  # iterations that the curve beyond the first failure may take: it lends no capacity
+# The curve beyond the first failure lends no capacity: iterations that it may take, how much longer its steps
+# may be
+AFTER_FAILURE, COARSER = 1000, 2.0
 SHORTER = 5  # step lengths that are tried, each a quarter of the one before
 LONGER = 3  # and after these, for what drives the load cannot turn back but jump: each twice the one before
 HINGE_STEPS = 80  # that a hinge may drive the load before the member is given up,
@@ -100,7 +102,8 @@ def follow(case, stage, fixed, pattern, control, bonded):
             trial = jump(case, load, deflect, step, control, left, way)
         if trial.converged:
             trial, way = take(case, stage, load, deflect, trial, way)
-            step = min(control.largest, max(control.first, next_step(trial)))
+            largest = COARSER * control.largest if way.met[LIMIT] else control.largest
+            step = min(largest, max(control.first, next_step(trial)))
         else:
             trial, way = turn_hinge(case, stage, load, control, way)
             step = control.first

@@ -5,11 +5,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.core.assembly import end_slip
-from ptbatch.core.beam import commit_beam
+from ptbatch.core.beam import beam_strains
+from ptbatch.core.concrete import fibres
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import beam_dof
 from ptbatch.core.reference import reference
+from ptbatch.core.section import commit_sections
 
 
 class History(NamedTuple):
@@ -81,20 +82,12 @@ def record(stage, factor, iterations, residual, rest_length, work, history):
 
 
 @kernel
-def element_displacements(e, u, q):
-    for i in range(3):
-        q[i] = u[beam_dof(e) + i]
-        q[3 + i] = u[beam_dof(e + 1) + i]
-
-
-@kernel
 def commit(model, state, ends, work):
     """Make the trial the committed state: fibres, bars, tendon, contact segments and friction springs."""
     n = model.x.size - 1
     state.u[:] = work.trial
-    for e in range(n):
-        element_displacements(e, state.u, work.q6)
-        commit_beam(e, model, state, work.q6)
+    beam_strains(model, state.u, work)
+    commit_sections(model, state, work)
     for e in range(n + 1):
         strain = (work.length[e] - model.rest_length[e]) / model.rest_length[e]
         state.tendon[e] = max(state.tendon[e], strain)
@@ -113,3 +106,13 @@ def rewind(state, work):
     work.segment[:] = state.segment
     work.motion[:] = state.motion
     work.xi[:] = 0.5  # a failed trial may have left anything there
+
+
+@kernel
+def concrete_stress(case, stress, modulus):
+    """Stress and modulus (m, 2n) of the concrete in all layers and sections in the committed state."""
+    model, state, work = case.model, case.state, case.work
+    beam_strains(model, state.u, work)
+    for i in range(model.layer_y.size):
+        y, past = model.layer_y[i], state.concrete[i]
+        fibres(y, work.strain[0], work.strain[1], past, model.concrete, stress[i], modulus[i])

@@ -59,7 +59,7 @@ class State(NamedTuple):
     """Committed state; everything that a restored step must bring back."""
 
     u: np.ndarray  # (ndof,)
-    concrete: np.ndarray  # (n, 2, 6, m) see commit_concrete
+    concrete: np.ndarray  # (m, 6, 2n) in all layers and sections, see commit_concrete
     bar: np.ndarray  # (n, 2, r) plastic strain, nan where ruptured
     tendon: np.ndarray  # (n+1,) largest strain
     segment: np.ndarray  # (n+2,) int, the duct segment of each tendon node
@@ -91,3 +91,11 @@ def tendon_dof(j):
 @kernel
 def beam_dof(k):
     return 5 * k + 2
+
+
+@kernel
+def element_displacements(e, u, q):
+    """q (6,): u, v and theta of the two nodes of beam element e."""
+    for i in range(3):
+        q[i] = u[beam_dof(e) + i]
+        q[3 + i] = u[beam_dof(e + 1) + i]

@@ -15,6 +15,9 @@ CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
 NEAR, NEARER = 1e-3, 1e-6  # relative residuals: the next step may arrive; the last tangent will do
 NOISE = 100.0  # times the tolerance: where a residual stays for good because fibres at rest change sides
+# Residuals that friction which turns to and fro comes back to: how far they differ, and how much they go up
+# and down at least
+SAME, SWING = 0.1, 2.0
 SETTLED = 4  # iterations without a lower residual after which one at round-off has come to rest
 
 
@@ -141,21 +144,16 @@ def factorise_tangent(case):
 
 
 @kernel
-def step(case, target, anew):
-    """work.du from the factorised tangent and the residual; returns (solved, the change of the factor).
-
-    anew: the factors are new since the last step.
-    """
+def step(case, target):
+    """work.du from the factorised tangent and the residual; returns (solved, the change of the factor)."""
     model, work = case.model, case.work
     half = (work.matrix.shape[1] - 1) // 2
     work.du[:] = work.residual
-    substitute(work.matrix, half, work.multipliers, work.pivots, work.du)
+    for i in range(work.du.size):
+        work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
+    substitute(work.matrix, half, work.multipliers, work.pivots, work.du, work.du_load)
     if target.dof < 0:
         return True, 0.0
-    if anew:
-        for i in range(work.du.size):
-            work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
-        substitute(work.matrix, half, work.multipliers, work.pivots, work.du_load)
     reach = driven(work.du_load, target.dof, target.other)
     if reach == 0.0:
         return False, 0.0
@@ -173,6 +171,23 @@ def residual_alone(case, target, factor):
     internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, case.work)
     unbalance(case, target, factor)
     return residual_norm(case)
+
+
+@kernel
+def repeats(norm, iteration, norms):
+    """Whether the residuals so far end in one series twice, up and down, up to half as long as there is room
+    for in norms."""
+    size = norms.size
+    norms[iteration % size] = norm
+    for period in range(2, min(size, iteration) // 2 + 1):
+        same, low, high = True, norm, norm
+        for k in range(iteration - period + 1, iteration + 1):
+            now, then = norms[k % size], norms[(k - period) % size]
+            same = same and abs(now - then) < SAME * then
+            low, high = min(low, now), max(high, now)
+        if same and high > SWING * low:
+            return True
+    return False
 
 
 @kernel
@@ -195,7 +210,7 @@ def equilibrate(case, target, factor, way):
                 return CONVERGED, factor, iteration, norm
             if norm <= min(NEARER, 0.1 * reused) and damping <= NEARER:  # nearly: its tangent is good enough
                 reused = norm
-                _, dfactor = step(case, target, False)
+                _, dfactor = step(case, target)
                 work.trial[:] += work.du
                 factor += dfactor
                 increment = increment_norm(case)
@@ -208,6 +223,8 @@ def equilibrate(case, target, factor, way):
         norm = residual_norm(case)
         if not norm < HOPELESS:
             return SINGULAR, factor, iteration, norm
+        if repeats(norm, iteration, work.norms):
+            return TOO_MANY_ITERATIONS, factor, iteration, norm
         if norm < least:
             least = norm
             improved = iteration
@@ -220,7 +237,7 @@ def equilibrate(case, target, factor, way):
             return TOO_MANY_ITERATIONS, factor, iteration, norm
         if not factorise_tangent(case):
             return SINGULAR, factor, iteration, norm
-        solved, dfactor = step(case, target, True)
+        solved, dfactor = step(case, target)
         if not solved:
             return SINGULAR, factor, iteration, norm
         damping *= way.decay

@@ -20,6 +20,7 @@ class Work(NamedTuple):
     multipliers: np.ndarray  # (ndof, half)
     pivots: np.ndarray  # (ndof,) int
     place: np.ndarray  # (n+2, 2) tendon nodes' displacements
+    turn: np.ndarray  # (n+1, 2) cosine and sine of the beam nodes' rotations
     T: np.ndarray  # (n+1,) tendon element: tension,
     slope: np.ndarray  # (n+1,) its derivative by length,
     length: np.ndarray  # (n+1,) current length,
@@ -37,12 +38,17 @@ class Work(NamedTuple):
     on_beam: np.ndarray  # (n+1, 3) for the check by statics: forces on the beam nodes,
     left_end: np.ndarray  # (n+1, 3) and those of the fibres at the left end of each element
     half_tan: np.ndarray  # (2,) tan(theta/2) of the kinks at the anchors
-    fibre: np.ndarray  # (2, m) stress and modulus of the layers of one section
+    norms: np.ndarray  # (16,) the last residuals
+    duct: np.ndarray  # (n+2, 8) what each tendon node does to itself and its duct, see `contact_forces`
+    frame: np.ndarray  # (n, 3) cosine and sine of each beam element's chord, and its length
+    strain: np.ndarray  # (2, 2n) of all sections: eps0, kappa,
+    section: np.ndarray  # (5, 2n) and N, M, EA, ES, EI
+    fibre: np.ndarray  # (2, 2n) stress and modulus of one layer in all sections
     f6: np.ndarray
     q6: np.ndarray
     k6: np.ndarray  # (6, 6)
     k2: np.ndarray  # (2, 2)
-    q12: np.ndarray
+    q8: np.ndarray
     f8: np.ndarray
     k8: np.ndarray  # (8, 12)
     z6: np.ndarray  # complex
@@ -53,8 +59,8 @@ class Work(NamedTuple):
 WorkRef = reference(Work, "WorkRef")
 
 
-def new_work(n: int, half: int, layers: int) -> Work:
-    """Work for n beam elements, a half bandwidth and that many layers of concrete."""
+def new_work(n: int, half: int) -> Work:
+    """Work for n beam elements and a half bandwidth."""
     ndof = 5 * n + 7
     vectors = [np.zeros(ndof) for _ in range(6)]
     complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6)]
@@ -64,6 +70,7 @@ def new_work(n: int, half: int, layers: int) -> Work:
         np.zeros((ndof, half)),
         np.zeros(ndof, np.int64),
         np.zeros((n + 2, 2)),
+        np.zeros((n + 1, 2)),
         np.zeros(n + 1),
         np.zeros(n + 1),
         np.zeros(n + 1),
@@ -77,12 +84,17 @@ def new_work(n: int, half: int, layers: int) -> Work:
         np.zeros((n + 1, 3)),
         np.zeros((n + 1, 3)),
         np.zeros(2),
-        np.zeros((2, layers)),
+        np.zeros(16),
+        np.zeros((n + 2, 8)),
+        np.zeros((n, 3)),
+        np.zeros((2, 2 * n)),
+        np.zeros((5, 2 * n)),
+        np.zeros((2, 2 * n)),
         np.zeros(6),
         np.zeros(6),
         np.zeros((6, 6)),
         np.zeros((2, 2)),
-        np.zeros(12),
+        np.zeros(8),
         np.zeros(8),
         np.zeros((8, 12)),
         *complex_scratch,

@@ -144,7 +144,7 @@ def _initial_state(arrays: Model, start: TendonStart, live: tuple[bool, bool]) -
     n = len(arrays.x) - 1
     u = np.zeros(5 * n + 7)
     u[0], u[-2] = start.gap
-    fibres = np.zeros((n, 2, 6, len(arrays.layer_y)))
+    fibres = np.zeros((len(arrays.layer_y), 6, 2 * n))
     bars = np.zeros((n, 2, len(arrays.bar_y)))
     slid = start.s.copy()
     slid[0] = start.gap[0] if live[0] else -0.5 * start.s[1]  # as `end_slip` measures it

@@ -22,7 +22,7 @@ def fibre(eps, c, past=None):
     """(stress, modulus) [MPa]."""
     found = np.zeros((2, 1))
     past = np.zeros(6) if past is None else past
-    fibres(eps, 0.0, np.zeros(1), past.reshape(6, 1), c, found[0], found[1])
+    fibres(0.0, np.array([eps]), np.zeros(1), past.reshape(6, 1), c, found[0], found[1])
     return found[:, 0]
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ptbatch.core.contact import UNKNOWN, Segment, contact_forces, project
-from ptbatch.core.jit import STEP
+from ptbatch.core.contact import UNKNOWN, Segment, contact_forces, masters, project
+from ptbatch.core.jit import STEP, cos_sin
 from ptbatch.core.model import Contact
 from tests.core.numerics import central_jacobian, turned_by
 
@@ -36,21 +36,39 @@ def lengths(q):
     return np.array([np.hypot(q[0] - q[i], q[1] - q[i + 1]) for i in (8, 10)])
 
 
+def duct_of(q, seg):
+    """The masters' duct."""
+    return masters(q, cos_sin(q[4]), cos_sin(q[7]), seg)
+
+
+def projected(q, first, seg):
+    """xi of the slave's projection."""
+    return project(q, *duct_of(q, seg), first, seg)
+
+
+def tendon(q):
+    """Unit vectors of the two chords, and their tensions; q may be complex."""
+    chords = np.array([q[0:2] - q[8:10], q[10:12] - q[0:2]])
+    now = np.sqrt((chords**2).sum(axis=1))
+    left, right = chords / now[:, None]
+    tensions = np.array([T3, T4]) + np.array([SLOPE3, SLOPE4]) * (now - lengths(position(0)))
+    return tuple(left), tuple(right), *tensions
+
+
 def slid(duct, slip):
     """The arc length that the slave of position(0) has come from."""
     seg = DUCTS[duct]
-    return seg.s + project(position(0), 0.5, seg) * seg.ds - slip
+    return seg.s + projected(position(0), 0.5, seg) * seg.ds - slip
 
 
 def evaluate(q, duct, slip, c, rough=0.01):
     """(forces (8,), N, T_t, s, motion). A complex q is evaluated as the assembly does it: about its real
     part."""
-    now = lengths(q.real)
-    tension = np.array([T3, T4]) + np.array([SLOPE3, SLOPE4]) * (now - lengths(position(0)))
     f, seg = np.zeros(8, q.dtype), DUCTS[duct]
-    xi = project(q.real.copy(), 0.5, seg)
-    springs = (*tension, SLOPE3, SLOPE4, *now)
-    return f, *contact_forces(q, xi, *springs, slid(duct, slip), 500.0, rough, UNKNOWN, seg, c, f)
+    xi = projected(q.real.copy(), 0.5, seg)
+    return f, *contact_forces(
+        q[:8], *duct_of(q, seg), xi, *tendon(q), slid(duct, slip), 500.0, rough, UNKNOWN, seg, c, f
+    )
 
 
 @any_duct
@@ -119,7 +137,7 @@ def test_projection_on_a_polygon_is_eq_2():
     x2 = np.array([H + q[5], q[6]]) + turned_by(q[7]) @ [0.0, seg.y2]
     chord = x2 - x1
     xi = (q[:2] - x1) @ chord / (chord @ chord)  # closed form
-    assert project(q, 0.9, seg) == pytest.approx(xi, rel=1e-12)
+    assert projected(q, 0.9, seg) == pytest.approx(xi, rel=1e-12)
 
 
 def test_projection_on_a_smooth_duct_is_its_nearest_point():
@@ -134,4 +152,4 @@ def test_projection_on_a_smooth_duct_is_its_nearest_point():
     )
     q[:2] = 251.0, -123.0
     nearest = xi[np.argmin((x - q[0]) ** 2 + (y - q[1]) ** 2)]  # by search, on a grid of 1e-5
-    assert project(q, 0.9, seg) == pytest.approx(nearest, abs=1.1e-5)
+    assert projected(q, 0.9, seg) == pytest.approx(nearest, abs=1.1e-5)

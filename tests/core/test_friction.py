@@ -15,6 +15,7 @@ from ptbatch.core.contact import (
     Segment,
     contact_forces,
     friction,
+    masters,
     project,
 )
 from ptbatch.core.model import Contact
@@ -44,12 +45,13 @@ def node(theta, slip, T1=1e6, T2=1e6, gap=-2.0, mu=MU, corrected=True, lean=0.0,
     left, right = lean + 0.5 * theta, lean - 0.5 * theta
     chords = np.array([[np.cos(left), np.sin(left)], [np.cos(right), np.sin(right)]])
     seg = SEGMENTS[duct]
-    q = np.zeros(12)
+    q = np.zeros(8)
     q[:2] = 250.0, gap + (500.0 / 8 * 0.1 if duct == "smooth" else 0.0)
-    q[8:10], q[10:12] = q[:2] - 300.0 * chords[0], q[:2] + 450.0 * chords[1]
-    xi, f = project(q, 0.5, seg), np.zeros(8)
+    duct_x, duct_y = masters(q, (1.0, 0.0), (1.0, 0.0), seg)
+    xi, f = project(q, duct_x, duct_y, 0.5, seg), np.zeros(8)
     s0 = seg.s + xi * seg.ds - slip
-    contact_forces(q, xi, T1, T2, 0.0, 0.0, 300.0, 450.0, s0, 0.0, 0.0, UNKNOWN, seg, c, f)
+    unit = tuple(chords[0]), tuple(chords[1])
+    contact_forces(q, duct_x, duct_y, xi, *unit, T1, T2, s0, 0.0, 0.0, UNKNOWN, seg, c, f)
     return chords, f[:2]
 
 
