@@ -1,5 +1,7 @@
 """Internal forces and tangent of the whole member from its elements."""
 
+import numpy as np
+
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
 from ptbatch.core.beam import beam_forces, beam_strains, beam_tangent
 from ptbatch.core.contact import (
@@ -195,7 +197,6 @@ def duct_force(j, held, model, state, u, work):
     gather_contact(j, model, u, work)
     seg = segment(work.segment[j], model)
     px, py = duct_at(j, seg, work)
-    work.xi[j] = project(work.q8, px, py, work.xi[j], seg)
     N, Tt, s, _ = contact_forces(
         work.q8,
         px,
@@ -217,10 +218,21 @@ def duct_force(j, held, model, state, u, work):
 
 
 @kernel
-def internal_forces(model, state, u, ends, bonded, work):
-    """work.f at u, on the duct segments found by the last search: the cheap path of the line search."""
-    n = model.x.size - 1
+def stay_on_segments(model, u, work):
+    """Project each inner tendon node on the duct segment found by the last search."""
     place_nodes(model, u, work)
+    for j in range(1, model.x.size):
+        gather_contact(j, model, u, work)
+        seg = segment(work.segment[j], model)
+        px, py = duct_at(j, seg, work)
+        work.xi[j] = project(work.q8, px, py, work.xi[j], seg)
+
+
+@kernel
+def internal_forces(model, state, u, ends, bonded, work):
+    """work.f at u, for which `find_segments` or `stay_on_segments` has placed the tendon: without a
+    tangent."""
+    n = model.x.size - 1
     stretch_tendon(model, state, work, False)
     work.f[:] = 0.0
     beam_strains(model, u, work)
@@ -268,9 +280,10 @@ def add_block(matrix, row, column, k, i, j, rows, columns):
     """Add the part of an element's tangent k that starts at (i, j) to the matrix from (row, column) on."""
     half = (matrix.shape[1] - 1) // 2
     for r in range(rows):
-        at = column - row - r + half
-        for c in range(columns):
-            matrix[row + r, at + c] += k[i + r, j + c]
+        at = np.uint64(column - row - r + half)
+        to, of = np.uint64(row + r), np.uint64(i + r)
+        for c in range(np.uint64(columns)):
+            matrix[to, at + c] += k[of, np.uint64(j) + c]
 
 
 @kernel

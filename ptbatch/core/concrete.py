@@ -7,18 +7,20 @@ to where tension is counted from, and reopens on it: an opened crack does not ca
 `crushing_strain` the last stress is held: the member has failed by then (the event is reported and capacity
 is taken no later), and the curve that follows is for information.
 
-Nearly all laws are made of a few parabolas, so that a fibre picks the coefficients of the one
-it is on, without a branch in the code, and a layer in all sections is one loop that the processor can take
-several fibres of at a time. Of a law with a power in it the tangent takes their place.
+Nearly all laws are made of a few parabolas, so that a fibre picks the coefficients of the one it is on,
+without a branch in the code, and a layer in all sections is one loop that the processor can take several
+fibres of at a time. Of a law with a power in it the tangent takes their place.
 """
 
 from typing import NamedTuple
 
-from ptbatch.core.jit import STEP, inverse, kernel, power
+from ptbatch.core.jit import inlined, kernel
+from ptbatch.core.power import positive_power
 
 HOGNESTAD, PARABOLA_RECTANGLE, POPOVICS, ELASTIC = range(4)
 NO_TENSION, SOFTENING, STIFFENING = range(3)
-FREE = 5  # where the history of a fibre has what it strains without a stress: see `commit_concrete`
+TINY = 1e-15  # as a share of a strain: next to nothing of it, next to all of it
+FREE = 5  # where the history of a fibre has what it strains without a stress: see `commit_fibres`
 
 
 class Concrete(NamedTuple):
@@ -40,30 +42,32 @@ class Concrete(NamedTuple):
     opened: tuple  # of 4 pieces (up to which strain, a, b) of a + b x; then zero
 
 
-@kernel
+@inlined
 def power_law(x, c):
-    """Envelope stress (positive) at a compressive strain x >= 0 of the laws with a power in them.
+    """(stress, slope), both positive, at a compressive strain x > 0 of the laws with a power in them, short of
+    the strain that they hold their stress from.
 
     EN 1992-1-1 (3.17): parabola-rectangle. Popovics (1973) in Collins and Mitchell's form.
     """
-    if x.real > c.crushing_strain:
-        x = c.crushing_strain + 0.0 * x
-    ratio = x * (1.0 / c.eps_c)
-    if c.law == PARABOLA_RECTANGLE:
-        if ratio.real >= 1.0:
-            return c.fc + 0.0 * x
-        return c.fc * (1.0 - power(1.0 - ratio, c.exponent))
-    if ratio.real == 0.0:
-        return c.fc * c.exponent / (c.exponent - 1.0) * ratio
-    return c.fc * c.exponent * ratio * inverse(c.exponent - 1.0 + power(ratio, c.exponent))
+    n, ratio, parabolic = c.exponent, x / c.eps_c, c.law == PARABOLA_RECTANGLE
+    base = 1.0 - ratio if parabolic else ratio
+    p = positive_power(base, n)
+    scale = n / (n - 1.0 + p)
+    stress = 1.0 - p if parabolic else scale * ratio
+    slope = n * p / base if parabolic else (n - 1.0) / n * scale * scale * (1.0 - p)
+    return c.fc * stress, c.fc / c.eps_c * slope
 
 
-@kernel
+@inlined
 def tangent_line(x, c):
-    """Coefficients (a, b, 0) of the tangent to `power_law` at x, by the complex step."""
-    stress = power_law(complex(x, STEP), c)
-    slope = stress.imag / STEP
-    return stress.real - slope * x, slope, 0.0
+    """Coefficients (a, b, 0) of the tangent to the envelope of these laws at x; a fibre in tension gets that at
+    zero."""
+    last = min(c.crushing_strain, c.eps_c) if c.law == PARABOLA_RECTANGLE else c.crushing_strain
+    rising = x < last
+    x = x if x > TINY * c.eps_c else TINY * c.eps_c
+    stress, slope = power_law(x if rising else (1.0 - TINY) * last, c)
+    slope = slope if rising else 0.0
+    return stress - slope * x, slope, 0.0
 
 
 @kernel
@@ -75,13 +79,6 @@ def parabola(x, c):
     a = p[1] if first else (q[1] if second else r[1])
     b = p[2] if first else (q[2] if second else r[2])
     return a, b, p[3] if first else (q[3] if second else r[3])
-
-
-@kernel
-def compression(x, c):
-    """Envelope stress (positive) at a compressive strain x >= 0."""
-    line = tangent_line(x, c) if c.curved else parabola(x, c)
-    return line[0] + x * (line[1] + x * line[2])
 
 
 @kernel
@@ -98,7 +95,7 @@ def opened(x, c):
 def piece(eps, worst_opening, secant, worst_pressed, unloading, residual, envelope, c):
     """Coefficients (a, b, c) of a + b eps + c eps^2, the stress of a fibre at the strain eps.
 
-    worst_opening .. residual: its history, see `commit_concrete`; envelope: that of compression at -eps.
+    worst_opening .. residual: its history, see `commit_fibres`; envelope: that of compression at -eps.
     """
     opening = eps + residual
     a, b = opened(opening, c)
@@ -117,44 +114,60 @@ def fibres(y, eps0, kappa, past, c, stress, modulus):
     """Stress and modulus (k,) of the layer at height y in k sections with the histories past (6, k), under
     the strains eps0 - y kappa less what the concrete does by itself."""
     if c.curved:
-        for s in range(eps0.size):
-            eps = eps0[s] - y * kappa[s] - past[FREE, s]
-            envelope = tangent_line(-eps, c) if -eps >= past[2, s] else (0.0, 0.0, 0.0)
-            a, b, d = piece(eps, past[0, s], past[1, s], past[2, s], past[3, s], past[4, s], envelope, c)
-            stress[s] = a + eps * (b + eps * d)
-            modulus[s] = b + 2.0 * eps * d
-        return
+        evaluate(y, eps0, kappa, past, c, True, stress, modulus)
+    else:
+        evaluate(y, eps0, kappa, past, c, False, stress, modulus)
+
+
+@inlined
+def evaluate(y, eps0, kappa, past, c, curved, stress, modulus):
+    """`fibres` of either kind of law."""
     for s in range(eps0.size):
         eps = eps0[s] - y * kappa[s] - past[FREE, s]
-        envelope = parabola(-eps, c)
+        envelope = tangent_line(-eps, c) if curved else parabola(-eps, c)
         a, b, d = piece(eps, past[0, s], past[1, s], past[2, s], past[3, s], past[4, s], envelope, c)
         stress[s] = a + eps * (b + eps * d)
         modulus[s] = b + 2.0 * eps * d
 
 
 @kernel
-def residual_strain(x, c):
-    """Residual strain (positive) after unloading from the compressive strain x; Karsan and Jirsa (1969) as
-    fitted by Kent, Scott and Park, and never less than unloading with the initial modulus leaves.
+def residual_strain(x, stress, c):
+    """Residual strain (positive) after unloading from the compressive strain x and the stress there; Karsan
+    and Jirsa (1969) as fitted by Kent, Scott and Park, and never less than unloading with the initial modulus
+    leaves.
     """
     ratio = x / c.eps_c
-    residual = 0.145 * ratio**2 + 0.13 * ratio if ratio < 2.0 else 0.707 * (ratio - 2.0) + 0.834
-    return min(residual * c.eps_c, x - compression(x, c) / c.E0)
+    residual = (0.145 * ratio + 0.13) * ratio if ratio < 2.0 else 0.707 * (ratio - 2.0) + 0.834
+    return min(residual * c.eps_c, x - stress / c.E0)
 
 
 @kernel
-def commit_concrete(eps, past, c):
-    """Move the history past (6,) on where eps exceeds it; strains and moduli as magnitudes: worst tension,
-    its secant, worst compression, its unloading modulus and residual strain. The last one, `FREE`, is the
-    strain of creep and shrinkage, tension positive, that eps does not have in it."""
-    if c.law == ELASTIC:
-        return
-    opening = eps + past[4]
-    if opening > past[0]:
-        past[0] = opening
-        a, b = opened(opening, c)
-        past[1] = a / opening + b
-    elif -eps > past[2]:
-        past[2] = -eps
-        past[4] = residual_strain(-eps, c)
-        past[3] = compression(-eps, c) / (-eps - past[4])
+def commit_fibres(y, eps0, kappa, past, c):
+    """Move the histories past (6, k) of a layer on where the strains exceed them; arguments as of `fibres`.
+
+    Strains and moduli as magnitudes: worst tension, its secant, worst compression, its unloading modulus and
+    residual strain. The last one, `FREE`, is the strain of creep and shrinkage, tension positive.
+    """
+    if c.curved:
+        move_on(y, eps0, kappa, past, c, True)
+    else:
+        move_on(y, eps0, kappa, past, c, False)
+
+
+@inlined
+def move_on(y, eps0, kappa, past, c, curved):
+    """`commit_fibres` of either kind of law."""
+    for s in range(eps0.size):
+        eps = eps0[s] - y * kappa[s] - past[FREE, s]
+        opening = eps + past[4, s]
+        if opening > past[0, s]:
+            a, b = opened(opening, c)
+            past[0, s] = opening
+            past[1, s] = a / opening + b
+        elif -eps > past[2, s]:
+            a, b, d = tangent_line(-eps, c) if curved else parabola(-eps, c)
+            stress = a - eps * (b - eps * d)
+            residual = residual_strain(-eps, stress, c)
+            past[2, s] = -eps
+            past[3, s] = stress / (-eps - residual)
+            past[4, s] = residual

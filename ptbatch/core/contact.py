@@ -173,11 +173,10 @@ def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
 def contact_forces(q, px, py, xi, e3, e4, T3, T4, s0, rub, rough, was, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s, motion).
 
-    q (8,); px, py: see `masters`. xi is the converged real projection: one complex Newton step from there
-    carries its derivative. e3, e4, T3, T4: unit vectors and tensions of the tendon elements left and right.
+    q (8,); px, py: see `masters`. xi: the converged projection. e3, e4, T3, T4: unit vectors and tensions of
+    the tendon elements left and right.
     """
-    xi_c = projection_step(q, px, py, xi, seg)
-    w, w1, _ = shape(xi_c, seg.smooth)
+    w, w1, _ = shape(xi, seg.smooth)
     rx = q[0] - dot4(w, px)
     ry = q[1] - dot4(w, py)
     tx = dot4(w1, px)
@@ -185,7 +184,7 @@ def contact_forces(q, px, py, xi, e3, e4, T3, T4, s0, rub, rough, was, seg, c, f
     scale = inverse_root(tx * tx + ty * ty)
     tx = tx * scale
     ty = ty * scale
-    s = seg.s + xi_c * seg.ds
+    s = seg.s + xi * seg.ds
     gap = ry * tx - rx * ty
     u = bisector(e3, e4)
     fx, fy, N, Tt, motion = node_force(e3, e4, u, gap, (tx, ty), s - s0, T3, T4, rub, rough, was, c)
@@ -200,6 +199,6 @@ def contact_forces(q, px, py, xi, e3, e4, T3, T4, s0, rub, rough, was, seg, c, f
     ay1 = py[0] - q[3]
     ax2 = px[2] - seg.h - q[5]
     ay2 = py[2] - q[6]
-    f[4] = -(fy * (w[0] * ax1 + w[1] * px[1]) - fx * (w[0] * ay1 + w[1] * py[1]) + (1.0 - xi_c) * couple)
-    f[7] = -(fy * (w[2] * ax2 + w[3] * px[3]) - fx * (w[2] * ay2 + w[3] * py[3]) + xi_c * couple)
+    f[4] = -(fy * (w[0] * ax1 + w[1] * px[1]) - fx * (w[0] * ay1 + w[1] * py[1]) + (1.0 - xi) * couple)
+    f[7] = -(fy * (w[2] * ax2 + w[3] * px[3]) - fx * (w[2] * ay2 + w[3] * py[3]) + xi * couple)
     return N, Tt, s, motion

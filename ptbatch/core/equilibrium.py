@@ -10,7 +10,7 @@ the duct, which must lie within Coulomb's cone.
 import numpy as np
 
 from ptbatch.core.anchorage import anchor, end_forces
-from ptbatch.core.assembly import gather_end, internal_forces
+from ptbatch.core.assembly import gather_end, internal_forces, stay_on_segments
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import beam_dof, tendon_dof
 
@@ -18,6 +18,7 @@ from ptbatch.core.model import beam_dof, tendon_dof
 @kernel
 def imbalance(case, target, factor):
     """Largest relative imbalance of the trial."""
+    stay_on_segments(case.model, case.work.trial, case.work)
     internal_forces(case.model, case.state, case.work.trial, case.ends, target.bonded, case.work)
     return imbalance_as_evaluated(case, target, factor)
 
@@ -109,7 +110,7 @@ def along_tendon(case, bonded):
         if model.contact.corrected:
             ux = work.chord[j, 0] + work.chord[j - 1, 0]
             uy = work.chord[j, 1] + work.chord[j - 1, 1]
-            norm = np.hypot(ux, uy)
+            norm = np.sqrt(ux * ux + uy * uy)
             ux /= norm
             uy /= norm
             fx = work.shear[j] * ux - work.normal[j] * uy

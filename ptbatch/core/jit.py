@@ -68,13 +68,6 @@ def inverse_root(z):
 
 
 @kernel
-def power(z, exponent):
-    """z ** exponent for a positive base, complex step carried to first order."""
-    p = z.real**exponent
-    return p + (z - z.real) * (exponent * p / z.real)
-
-
-@kernel
 def cos_sin(angle):
     """Cosine and sine, complex step carried to first order."""
     c = np.cos(angle.real)

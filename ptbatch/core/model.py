@@ -59,7 +59,7 @@ class State(NamedTuple):
     """Committed state; everything that a restored step must bring back."""
 
     u: np.ndarray  # (ndof,)
-    concrete: np.ndarray  # (m, 6, 2n) in all layers and sections, see commit_concrete
+    concrete: np.ndarray  # (m, 6, 2n) in all layers and sections, see commit_fibres
     bar: np.ndarray  # (n, 2, r) plastic strain, nan where ruptured
     tendon: np.ndarray  # (n+1,) largest strain
     segment: np.ndarray  # (n+2,) int, the duct segment of each tendon node

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.core.assembly import find_segments, internal_forces, tangent
+from ptbatch.core.assembly import find_segments, internal_forces, stay_on_segments, tangent
 from ptbatch.core.banded import factorise, substitute
 from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
@@ -100,6 +100,7 @@ def move(eta, case, target, factor):
     work = case.work
     for i in range(work.trial.size):
         work.trial[i] = work.before[i] + eta * work.du[i]
+    stay_on_segments(case.model, work.trial, work)
     internal_forces(case.model, case.state, work.trial, case.ends, target.bonded, work)
     unbalance(case, target, factor)
     return power_of_step(case)

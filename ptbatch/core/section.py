@@ -7,7 +7,7 @@ several of at a time; sums run over the layers in their order, whatever the proc
 
 import numpy as np
 
-from ptbatch.core.concrete import ELASTIC, FREE, commit_concrete, fibres
+from ptbatch.core.concrete import ELASTIC, FREE, commit_fibres, fibres
 from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.steel import commit_steel, steel_stress
 
@@ -79,11 +79,7 @@ def commit_sections(model, state, work):
     eps0, kappa = work.strain[0], work.strain[1]
     if model.concrete.law != ELASTIC:
         for i in range(model.layer_y.size):
-            past = state.concrete[i]
-            for s in range(eps0.size):
-                eps = eps0[s] - model.layer_y[i] * kappa[s] - past[FREE, s]
-                if eps + past[4, s] > past[0, s] or -eps > past[2, s]:
-                    commit_concrete(eps, past[:, s], model.concrete)
+            commit_fibres(model.layer_y[i], eps0, kappa, state.concrete[i], model.concrete)
     for b in range(model.bar_y.size):
         for s in range(eps0.size):
             eps = eps0[s] - model.bar_y[b] * kappa[s]

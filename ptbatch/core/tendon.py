@@ -2,7 +2,8 @@
 
 from typing import NamedTuple
 
-from ptbatch.core.jit import kernel, power
+from ptbatch.core.jit import kernel
+from ptbatch.core.power import power
 
 RAMBERG_OSGOOD, BILINEAR, ELASTIC_TENDON = range(3)
 

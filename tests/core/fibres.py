@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ptbatch.core.concrete import commit_concrete, fibres
+from ptbatch.core.concrete import commit_fibres, fibres
 from ptbatch.member import Member
 from ptbatch.model.materials import concrete
 
@@ -40,5 +40,10 @@ def history(c, *strains):
     """History of a fibre that has been to these strains."""
     past = np.zeros(6)
     for eps in strains:
-        commit_concrete(eps, past, c)
+        commit(eps, past, c)
     return past
+
+
+def commit(eps, past, c):
+    """Move the history of a fibre on."""
+    commit_fibres(0.0, np.array([eps]), np.zeros(1), past.reshape(6, 1), c)

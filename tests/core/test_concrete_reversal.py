@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from ptbatch.core.concrete import commit_concrete
-from tests.core.fibres import EC, EPS_CR, FT, LAWS, TENSIONS, history, law, modulus, stress
+from tests.core.fibres import EC, EPS_CR, FT, LAWS, TENSIONS, commit, history, law, modulus, stress
 
 any_curved = pytest.mark.parametrize("concrete_law", LAWS[:3])
 any_tension = pytest.mark.parametrize("tension_law", TENSIONS)
@@ -69,7 +68,7 @@ def test_stress_stays_continuous_and_within_the_laws_through_any_history(concret
             assert abs(now - before) <= 1.001 * steepest * abs(path[1] - path[0])
             assert -c.fc <= now <= FT
             before = now
-            commit_concrete(eps, past, c)
+            commit(eps, past, c)
 
 
 def test_a_crack_that_has_closed_under_compression_is_still_a_crack():

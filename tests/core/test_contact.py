@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ptbatch.core.contact import UNKNOWN, Segment, contact_forces, masters, project
+from ptbatch.core.contact import UNKNOWN, Segment, contact_forces, masters, project, projection_step
 from ptbatch.core.jit import STEP, cos_sin
 from ptbatch.core.model import Contact
 from tests.core.numerics import central_jacobian, turned_by
@@ -62,10 +62,9 @@ def slid(duct, slip):
 
 
 def evaluate(q, duct, slip, c, rough=0.01):
-    """(forces (8,), N, T_t, s, motion). A complex q is evaluated as the assembly does it: about its real
-    part."""
+    """(forces (8,), N, T_t, s, motion). Of a complex q one step of the projection carries the derivative."""
     f, seg = np.zeros(8, q.dtype), DUCTS[duct]
-    xi = projected(q.real.copy(), 0.5, seg)
+    xi = projection_step(q, *duct_of(q, seg), projected(q.real.copy(), 0.5, seg), seg)
     return f, *contact_forces(
         q[:8], *duct_of(q, seg), xi, *tendon(q), slid(duct, slip), 500.0, rough, UNKNOWN, seg, c, f
     )

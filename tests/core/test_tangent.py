@@ -4,7 +4,7 @@ import numba
 import numpy as np
 import pytest
 
-from ptbatch.core.assembly import internal_forces, tangent
+from ptbatch.core.assembly import internal_forces, stay_on_segments, tangent
 from ptbatch.core.beam import chord
 from ptbatch.core.contact import (
     BACKWARD,
@@ -23,6 +23,7 @@ SLIDE, STICK = 0.2, -1e-4
 
 @numba.njit  # not cached: it would outlive the kernels that it calls
 def forces(case, u, bonded):
+    stay_on_segments(case.model, u, case.work)
     internal_forces(case.model, case.state, u, case.ends, bonded, case.work)
     return case.work.f.copy()
 
