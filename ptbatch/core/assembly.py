@@ -3,6 +3,7 @@
 import numpy as np
 
 from ptbatch.core.anchorage import anchor, end_forces, end_friction, end_position
+from ptbatch.core.banded import half_width
 from ptbatch.core.beam import beam_forces, beam_strains, beam_tangent
 from ptbatch.core.contact import (
     EXPECTED_BACKWARD,
@@ -100,7 +101,7 @@ def find_segments(model, u, work):
     segment is prolonged.
     """
     n = model.x.size - 1
-    reach = ((work.matrix.shape[1] - 1) // 2 - 9) // 5
+    reach = (half_width(work.matrix) - 9) // 5
     place_nodes(model, u, work)
     for j in range(1, n + 1):
         for _ in range(n):
@@ -272,13 +273,13 @@ def add_contact_forces(j, work):
 
 @kernel
 def add_to(matrix, row, column, value):
-    matrix[row, column - row + (matrix.shape[1] - 1) // 2] += value
+    matrix[row, column - row + half_width(matrix)] += value
 
 
 @kernel
 def add_block(matrix, row, column, k, i, j, rows, columns):
     """Add the part of an element's tangent k that starts at (i, j) to the matrix from (row, column) on."""
-    half = (matrix.shape[1] - 1) // 2
+    half = half_width(matrix)
     for r in range(rows):
         at = np.uint64(column - row - r + half)
         to, of = np.uint64(row + r), np.uint64(i + r)

@@ -1,59 +1,89 @@
-"""Unsymmetric banded matrices: row i holds its columns i - half .. i + half."""
+"""Unsymmetric banded matrices (n, 3 half + 1): row i holds its columns i - half .. i + half, and room for half
+as many more to the right of these, which the swaps of rows may fill.
 
-from ptbatch.core.jit import kernel
+Indices are unsigned: numba would look at each of the others twice, should it count from the end.
+"""
+
+import numpy as np
+
+from ptbatch.core.jit import inlined, kernel
+
+GOOD = 0.1  # of the largest pivot: a diagonal as large as this need not be swapped, rows weighed alike
 
 
 @kernel
-def factorise(a, half, multipliers, pivots):
-    """LU with partial pivoting, in place.
+def half_width(a):
+    return a.shape[1] // 3
 
-    a (n, 2 half + 1): column j of row i at a[i, j - i + half] on entry. On return U of row i starts at a[i,
-    0]; the multipliers (n, half) and the pivots (n,) hold L. False where a pivot is zero or not finite.
+
+@kernel
+def weigh_rows(a, weights):
+    """One over the largest number of each row, zero for a row without any."""
+    for i in range(a.shape[0]):
+        largest = 0.0
+        for j in range(2 * half_width(a) + 1):
+            size = abs(a[i, j])
+            largest = size if size > largest else largest
+        weights[i] = 1.0 / largest if largest > 0.0 else 0.0
+
+
+@inlined
+def pivot_row(a, k, below, weights):
+    """The row to eliminate column k with, out of k and so many below it, and whether there is one."""
+    half, one = np.uint64(half_width(a)), np.uint64(1)
+    p, own = k, abs(a[k, half]) * weights[k]
+    largest = own
+    for i in range(one, below + one):
+        size = abs(a[k + i, half - i]) * weights[k + i]
+        largest = size if size > largest else largest
+    if not own >= GOOD * largest:
+        for i in range(one, below + one):
+            if abs(a[k + i, half - i]) * weights[k + i] == largest:
+                p = k + i
+    return p, 0.0 < largest < np.inf
+
+
+@kernel
+def factorise(a, weights, multipliers, pivots, reach):
+    """LU in place, with partial pivoting by a threshold; false where a pivot is zero or not finite.
+
+    On return U of row i stands in its columns i .. reach[i]; the multipliers (n, half) and the pivots (n,)
+    hold L. weights (n,) is scratch.
     """
-    n = a.shape[0]
-    width = 2 * half + 1
-    for i in range(min(half, n)):  # left-align the first rows, which have no columns before 0
-        shift = half - i
-        for j in range(width - shift):
-            a[i, j] = a[i, j + shift]
-        for j in range(width - shift, width):
-            a[i, j] = 0.0
-    last = min(half, n)
+    n, one = np.uint64(a.shape[0]), np.uint64(1)
+    half = np.uint64(half_width(a))
+    weigh_rows(a, weights)
+    last = np.uint64(0)
     for k in range(n):
-        if last < n:
-            last += 1
-        p = k
-        big = abs(a[k, 0])
-        for i in range(k + 1, last):
-            if abs(a[i, 0]) > big:
-                big = abs(a[i, 0])
-                p = i
-        pivots[k] = p
-        if not (0.0 < big < 1e300):
+        below = min(half, n - one - k)
+        p, sound = pivot_row(a, k, below, weights)
+        if not sound:
             return False
+        pivots[k] = p
+        last = max(last, min(p + half, n - one))
+        reach[k] = last
+        right = last - k
         if p != k:
-            for j in range(width):
-                a[k, j], a[p, j] = a[p, j], a[k, j]
-        inverse = 1.0 / a[k, 0]
-        for i in range(k + 1, last):
-            m = a[i, 0] * inverse
-            multipliers[k, i - k - 1] = m
+            weights[k], weights[p] = weights[p], weights[k]
+            at = half + k - p
+            for j in range(right + one):
+                a[k, half + j], a[p, at + j] = a[p, at + j], a[k, half + j]
+        inverse = 1.0 / a[k, half]
+        for i in range(one, below + one):
+            row, at = k + i, half - i
+            m = a[row, at] * inverse
+            multipliers[k, i - one] = m
             if m != 0.0:
-                for j in range(1, width):
-                    a[i, j - 1] = a[i, j] - m * a[k, j]
-            else:
-                for j in range(1, width):
-                    a[i, j - 1] = a[i, j]
-            a[i, width - 1] = 0.0
+                for j in range(one, right + one):
+                    a[row, at + j] -= m * a[k, half + j]
     return True
 
 
 @kernel
-def substitute(a, half, multipliers, pivots, b, c):
+def substitute(a, multipliers, pivots, reach, b, c):
     """Solve for two right-hand sides b and c (n,), in place: a second one costs next to nothing, since each
     number waits for the one before."""
-    n = a.shape[0]
-    width = 2 * half + 1
+    n, half = a.shape[0], half_width(a)
     for k in range(n):
         p = pivots[k]
         if p != k:
@@ -63,15 +93,15 @@ def substitute(a, half, multipliers, pivots, b, c):
             b[k + 1 + i] -= multipliers[k, i] * b[k]
             c[k + 1 + i] -= multipliers[k, i] * c[k]
     for k in range(n - 1, -1, -1):
-        most = min(width, n - k)
+        right = reach[k] - k
         b_odd, b_even, c_odd, c_even = b[k], 0.0, c[k], 0.0
-        for j in range(1, most - 1, 2):
-            b_odd -= a[k, j] * b[k + j]
-            c_odd -= a[k, j] * c[k + j]
-            b_even -= a[k, j + 1] * b[k + j + 1]
-            c_even -= a[k, j + 1] * c[k + j + 1]
-        if most % 2 == 0:
-            b_odd -= a[k, most - 1] * b[k + most - 1]
-            c_odd -= a[k, most - 1] * c[k + most - 1]
-        b[k] = (b_odd + b_even) / a[k, 0]
-        c[k] = (c_odd + c_even) / a[k, 0]
+        for j in range(1, right, 2):
+            b_odd -= a[k, half + j] * b[k + j]
+            c_odd -= a[k, half + j] * c[k + j]
+            b_even -= a[k, half + j + 1] * b[k + j + 1]
+            c_even -= a[k, half + j + 1] * c[k + j + 1]
+        if right % 2 == 1:
+            b_odd -= a[k, half + right] * b[k + right]
+            c_odd -= a[k, half + right] * c[k + right]
+        b[k] = (b_odd + b_even) / a[k, half]
+        c[k] = (c_odd + c_even) / a[k, half]

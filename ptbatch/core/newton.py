@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.core.assembly import find_segments, internal_forces, stay_on_segments, tangent
-from ptbatch.core.banded import factorise, substitute
+from ptbatch.core.banded import factorise, half_width, substitute
 from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
@@ -87,7 +87,7 @@ def power_of_step(case):
 @kernel
 def hold(model, work):
     """Replace the rows of held degrees of freedom by identities."""
-    half = (work.matrix.shape[1] - 1) // 2
+    half = half_width(work.matrix)
     for i in range(model.held.size):
         if model.held[i]:
             work.matrix[i, :] = 0.0
@@ -141,18 +141,17 @@ def factorise_tangent(case):
     """Factorise work.matrix; false where it is singular."""
     model, work = case.model, case.work
     hold(model, work)
-    return factorise(work.matrix, (work.matrix.shape[1] - 1) // 2, work.multipliers, work.pivots)
+    return factorise(work.matrix, work.weights, work.multipliers, work.pivots, work.reach)
 
 
 @kernel
 def step(case, target):
     """work.du from the factorised tangent and the residual; returns (solved, the change of the factor)."""
     model, work = case.model, case.work
-    half = (work.matrix.shape[1] - 1) // 2
     work.du[:] = work.residual
     for i in range(work.du.size):
         work.du_load[i] = 0.0 if model.held[i] else target.pattern[i]
-    substitute(work.matrix, half, work.multipliers, work.pivots, work.du, work.du_load)
+    substitute(work.matrix, work.multipliers, work.pivots, work.reach, work.du, work.du_load)
     if target.dof < 0:
         return True, 0.0
     reach = driven(work.du_load, target.dof, target.other)

@@ -16,9 +16,11 @@ class Work(NamedTuple):
     before: np.ndarray  # (ndof,) those that a line search starts from
     du: np.ndarray  # (ndof,)
     du_load: np.ndarray  # (ndof,) response to the live pattern
-    matrix: np.ndarray  # (ndof, 2 half + 1)
+    matrix: np.ndarray  # (ndof, 3 half + 1), see `banded`
+    weights: np.ndarray  # (ndof,)
     multipliers: np.ndarray  # (ndof, half)
     pivots: np.ndarray  # (ndof,) int
+    reach: np.ndarray  # (ndof,) int
     place: np.ndarray  # (n+2, 2) tendon nodes' displacements
     turn: np.ndarray  # (n+1, 2) cosine and sine of the beam nodes' rotations
     T: np.ndarray  # (n+1,) tendon element: tension,
@@ -66,8 +68,10 @@ def new_work(n: int, half: int) -> Work:
     complex_scratch = [np.zeros(size, np.complex128) for size in (6, 6)]
     arrays = [
         *vectors,
-        np.zeros((ndof, 2 * half + 1)),
+        np.zeros((ndof, 3 * half + 1)),
+        np.zeros(ndof),
         np.zeros((ndof, half)),
+        np.zeros(ndof, np.int64),
         np.zeros(ndof, np.int64),
         np.zeros((n + 2, 2)),
         np.zeros((n + 1, 2)),

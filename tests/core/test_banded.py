@@ -17,20 +17,21 @@ def random_band(n, half, seed, weak_diagonal=True):
 
 
 def banded(dense, half):
-    """Rows as the kernels keep them: column j of row i at j - i + half."""
+    """Rows as the kernels keep them: column j of row i at j - i + half, and room to the right."""
     n = len(dense)
-    wide = np.pad(dense, ((0, 0), (half, half)))
-    return np.array([wide[i, i : i + 2 * half + 1] for i in range(n)])
+    wide = np.pad(dense, ((0, 0), (half, 2 * half)))
+    return np.array([wide[i, i : i + 3 * half + 1] for i in range(n)])
 
 
 def solve(dense, half, *sides):
     """Whether it could be factorised, the pivots, and the solutions."""
     n = len(dense)
-    a, multipliers, pivots = banded(dense, half), np.zeros((n, half)), np.zeros(n, np.int64)
-    if not factorise(a, half, multipliers, pivots):
+    a, weights, multipliers = banded(dense, half), np.zeros(n), np.zeros((n, half))
+    pivots, reach = np.zeros((2, n), np.int64)
+    if not factorise(a, weights, multipliers, pivots, reach):
         return False, pivots, []
     solutions = [sides[0].copy(), sides[-1].copy()]
-    substitute(a, half, multipliers, pivots, *solutions)
+    substitute(a, multipliers, pivots, reach, *solutions)
     return True, pivots, solutions[: len(sides)]
 
 
@@ -54,6 +55,23 @@ def test_zeros_on_the_diagonal():
     sound, _, (x,) = solve(dense, 1, np.array([2.0, 7.0, 6.0]))
     assert sound
     np.testing.assert_allclose(x, [1.0, 1.0, 2.0], rtol=1e-14)  # closed form
+
+
+def test_the_units_of_a_row_do_not_decide_on_swaps():
+    dense = random_band(60, 5, 3, weak_diagonal=False)
+    units = 10.0 ** np.random.default_rng(5).integers(-6, 7, 60)
+    b = np.random.default_rng(6).standard_normal(60)
+    _, pivots, (x,) = solve(dense, 5, b)
+    _, pivots_in_units, (x_in_units,) = solve(units[:, None] * dense, 5, units * b)
+    np.testing.assert_array_equal(pivots_in_units, pivots)
+    np.testing.assert_allclose(x_in_units, x, rtol=1e-9)  # the same equations
+
+
+def test_a_diagonal_that_is_large_enough_stays():
+    _, pivots, _ = solve(np.array([[0.2, 1.0], [1.0, 0.2]]), 1, np.ones(2))
+    assert pivots[0] == 0
+    _, pivots, _ = solve(np.array([[0.05, 1.0], [1.0, 0.2]]), 1, np.ones(2))
+    assert pivots[0] == 1
 
 
 def test_unsymmetric_not_its_transpose():
