@@ -13,7 +13,7 @@ from ptbatch.core.assembly import add_beam, tangent
 from ptbatch.core.beam import beam_strains
 from ptbatch.core.case import Target
 from ptbatch.core.equilibrium import imbalance_as_evaluated
-from ptbatch.core.failure import demands
+from ptbatch.core.failure import demands_as_evaluated
 from ptbatch.core.history import commit
 from ptbatch.core.jit import kernel
 from ptbatch.core.newton import factorise_tangent, residual_alone
@@ -64,7 +64,7 @@ def accepted(case, target, times):
     """What an accepted step takes besides: the check by statics, limit strains, the commitment."""
     for _ in range(times):
         imbalance_as_evaluated(case, target, 0.0)
-        demands(case, case.work.trial)
+        demands_as_evaluated(case)
         commit(case.model, case.state, case.ends, case.work)
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ptbatch.core.concrete import ELASTIC, NO_TENSION
 from ptbatch.core.model import Model
-from ptbatch.events import Recorded, sections
+from ptbatch.events import Recorded, gauss_places
 from ptbatch.response import Crack
 
 Array = NDArray[np.float64]
@@ -47,10 +47,9 @@ def _raise_to(worst: Array, recorded: Recorded, steps: slice) -> None:
 
 def _stretches(cracked: NDArray[np.bool_], model: Model, thickness: Array) -> Iterator[Crack]:
     """Runs of cracked layers, along the member and then downwards."""
-    _, _, place = sections(model.x, np.zeros((1, 5 * len(model.x) + 2)))
     edges = np.append(0.0, np.cumsum(thickness))
     change = np.diff(np.pad(cracked.astype(np.int8), ((0, 0), (1, 1))), axis=1)
     section, first = np.nonzero(change > 0)
     _, after = np.nonzero(change < 0)
-    columns = place.ravel()[section], edges[first], edges[after]
+    columns = gauss_places(model.x).ravel()[section], edges[first], edges[after]
     return map(Crack, *(column.tolist() for column in columns))

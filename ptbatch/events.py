@@ -20,16 +20,23 @@ REACHED = 0.9999  # of a limit strain counts as reached: steps land on it to 0.5
 
 @dataclass(frozen=True)
 class Recorded:
-    """Steps as recorded: u (steps, ndof), T (steps, tendon elements), the tendon's largest strain (steps,);
-    which of them (steps,) come after the concrete has crept and shrunk, and the strain that it did so by in
-    all layers (n, 2, layers), tension positive."""
+    """Steps as recorded: eps0 (steps, n, 1) and kappa (steps, n, 2) of the Gauss sections, T (steps, tendon
+    elements), the tendon's largest strain (steps,); which of them (steps,) come after the concrete has crept
+    and shrunk, and the strain that it did so by in all layers (n, 2, layers), tension positive."""
 
     model: Model
-    u: Array
+    eps0: Array
+    kappa: Array
     T: Array
     strain: Array
     aged: NDArray[np.bool_]
     free: Array
+
+    def since(self, step: int) -> "Recorded":
+        """The steps from one on."""
+        steps = slice(step, None)
+        strains = self.eps0[steps], self.kappa[steps]
+        return Recorded(self.model, *strains, self.T[steps], self.strain[steps], self.aged[steps], self.free)
 
     def layer_strain(self, steps: slice) -> Array:
         """Strain that the layers of concrete have their stress from (steps, n, 2, layers)."""
@@ -45,9 +52,11 @@ class Recorded:
         return self._strain(np.array([model.top, model.bottom]), free, slice(None))
 
     def _strain(self, heights: Array, free: Array, steps: slice) -> Array:
-        eps0, kappa, _ = sections(self.model.x, self.u[steps])
-        own = self.aged[steps, None, None, None] * free
-        return np.asarray(eps0[..., None] - heights * kappa[..., None] - own)
+        strain = self.eps0[steps, ..., None] - heights * self.kappa[steps, ..., None]
+        aged = self.aged[steps]
+        if aged.any():
+            strain[aged] -= free
+        return np.asarray(strain)
 
 
 def find_events(service: Recorded, curve: Curve) -> tuple[tuple[Event, ...], str]:
@@ -118,8 +127,7 @@ def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
     """By event: (largest demand over limit, place of it) for each row."""
     model = service.model
     concrete, steel, strand = model.concrete, model.steel, model.strand
-    eps0, kappa, place = sections(model.x, service.u)
-    faces = service.face_strain()
+    place, faces = gauss_places(model.x), service.face_strain()
     measures = {}
     if concrete.law != ELASTIC:
         eps_cr = 0.0 if concrete.tension_law == NO_TENSION else concrete.eps_cr
@@ -132,7 +140,8 @@ def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
         measures["yield"] = tendon_yield
         measures[TENDON_RUPTURE] = service.strain / strand.epu, pulled
     if model.bar_y.size:
-        bars = np.abs(eps0[..., None] - model.bar_y * kappa[..., None]) * (model.bar_area[:, None, :] > 0.0)
+        bars = np.abs(service.eps0[..., None] - model.bar_y * service.kappa[..., None])
+        bars *= model.bar_area[:, None, :] > 0.0
         bar_yield, at = _largest((bars * steel.Es / model.bar_fy).max(axis=-1), place)
         measures[BAR_RUPTURE] = _largest(bars.max(axis=-1) / steel.esu, place)
         if "yield" in measures:
@@ -142,9 +151,8 @@ def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
     return measures
 
 
-def sections(x: Array, u: Array) -> tuple[Array, Array, Array]:
-    """(eps0, kappa) of the Gauss sections (rows, n, 2) for displacements u (rows, ndof), and their places (n,
-    2)."""
+def section_strains(x: Array, u: Array) -> tuple[Array, Array]:
+    """eps0 (rows, n, 1) and kappa (rows, n, 2) of the Gauss sections for displacements u (rows, ndof)."""
     length = np.diff(x)
     d = [np.diff(node_values(u, len(x), i), axis=-1) for i in range(2)]
     theta = node_values(u, len(x), 2)
@@ -153,8 +161,12 @@ def sections(x: Array, u: Array) -> tuple[Array, Array, Array]:
     turn = np.arctan2(d[1], length + d[0])
     one, two = theta[..., :-1] - turn, theta[..., 1:] - turn
     kappa = np.stack([((6.0 * xi - 4.0) * one + (6.0 * xi - 2.0) * two) / length for xi in GAUSS], axis=-1)
-    place = x[:-1, None] + length[:, None] * np.array(GAUSS)
-    return np.repeat(eps0[..., None], 2, axis=-1), kappa, place
+    return eps0[..., None], kappa
+
+
+def gauss_places(x: Array) -> Array:
+    """Places (n, 2) of the Gauss sections between nodes (n+1,)."""
+    return np.asarray(x[:-1, None] + np.diff(x)[:, None] * np.array(GAUSS))
 
 
 def _largest(measure: Array, place: Array) -> tuple[Array, Array]:

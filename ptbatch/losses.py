@@ -98,16 +98,19 @@ class Friction:
         return np.unique(np.append(self.path.breaks, crossing))
 
     def quadrature(self, end: End, x: float) -> tuple[Array, Array]:
-        """Friction exponents from the left, and weights, of an integral over the arc length from an end to x:
-        Gauss between the stations, of which only the last piece is new each time."""
+        """Friction exponents from the left, and weights, of an integral over the arc length from an end to x,
+        the last of them at x itself, without weight: Gauss between the stations, of which only the last piece
+        is new each time."""
         exponents, weights = self._whole_pieces
         at = int(np.searchsorted(self.stations, x, side="right" if end == "left" else "left"))
         inner = self.stations[max(at - 1, 0)] if end == "left" else self.stations[min(at, len(exponents))]
         whole = slice(0, max(at - 1, 0)) if end == "left" else slice(at, None)
-        last = self._gauss(np.array([min(inner, x)]), np.array([max(inner, x)]))
+        width = abs(x - inner)
+        points = min(inner, x) + width * GAUSS_POINTS
+        stretch = width * GAUSS_WEIGHTS * np.hypot(1.0, self.path.slope(points))
         return (
-            np.concatenate([exponents[whole].ravel(), last[0].ravel()]),
-            np.concatenate([weights[whole].ravel(), last[1].ravel()]),
+            np.concatenate([exponents[whole].ravel(), self.exponent(np.append(points, x), "left")]),
+            np.concatenate([weights[whole].ravel(), stretch, [0.0]]),
         )
 
     def _gauss(self, start: Array, stop: Array) -> tuple[Array, Array]:
@@ -253,17 +256,30 @@ def _live_ends(jack: str) -> tuple[End, ...]:
     return LIVE_ENDS[jack]
 
 
-def _zone(friction: Friction, end: End, x: float, removed: float) -> tuple[float, float]:
-    """(a, b) of b * level = a, the area condition of a reversed curve that runs from an end to x."""
+@dataclass(frozen=True)
+class Zone:
+    """The area condition b * level = a of a reversed curve that runs from an end to x, and the curves at
+    x."""
+
+    a: float
+    b: float
+    jacked: float
+    growth: float
+    offset: float
+
+
+def _zone(friction: Friction, end: End, x: float, removed: float) -> Zone:
     exponents, weights = friction.quadrature(end, x)
     jacked, growth, offset = friction.curves(exponents, end)
-    return float((jacked - offset) @ weights) - removed, float(growth @ weights)
+    at_x = float(jacked[-1]), float(growth[-1]), float(offset[-1])
+    return Zone(float((jacked - offset) @ weights) - removed, float(growth @ weights), *at_x)
 
 
 def _level(friction: Friction, end: End, x: float, removed: float) -> float:
-    a, b = _zone(friction, end, x, removed)
-    _, growth, offset = friction.curves(friction.exponent(x, "left"), end)
-    return a / b if b > 0.0 else float((1.0 - offset) / growth)  # no set, no zone: fpj stays at the anchor
+    zone = _zone(friction, end, x, removed)
+    if zone.b > 0.0:
+        return zone.a / zone.b
+    return (1.0 - zone.offset) / zone.growth  # no set, no zone: fpj stays at the anchor
 
 
 def _still_point(friction: Friction, end: End, removed: float) -> float:
@@ -271,9 +287,8 @@ def _still_point(friction: Friction, end: End, removed: float) -> float:
     near, far = friction.ends[end], friction.ends["right" if end == "left" else "left"]
 
     def excess(x: float) -> float:
-        a, b = _zone(friction, end, x, removed)
-        jacked, growth, offset = friction.curves(friction.exponent(x, "left"), end)
-        return float(a * growth + b * (offset - jacked))  # times b, which is zero at the near end
+        zone = _zone(friction, end, x, removed)
+        return zone.a * zone.growth + zone.b * (zone.offset - zone.jacked)  # times b: zero at the near end
 
     if removed == 0.0:
         return near
@@ -284,9 +299,8 @@ def _meeting_point(friction: Friction, removed: float) -> float:
     """x where the reversed curves of two live ends meet, each having lost its own area on its own side."""
 
     def scaled(x: float, end: End) -> tuple[float, float]:
-        a, b = _zone(friction, end, x, removed)
-        _, growth, offset = friction.curves(friction.exponent(x, "left"), end)
-        return float(a * growth + b * offset), b
+        zone = _zone(friction, end, x, removed)
+        return zone.a * zone.growth + zone.b * zone.offset, zone.b
 
     def excess(x: float) -> float:
         (left, left_scale), (right, right_scale) = scaled(x, "left"), scaled(x, "right")

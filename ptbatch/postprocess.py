@@ -9,7 +9,7 @@ from ptbatch import stages
 from ptbatch.core.ramp import DONE, NO_EQUILIBRIUM
 from ptbatch.cracks import cracks_at
 from ptbatch.design.longterm import TimeLoss
-from ptbatch.events import Recorded, find_events, nearest_to_failure
+from ptbatch.events import Recorded, find_events, nearest_to_failure, section_strains
 from ptbatch.geometry.section import gross_section
 from ptbatch.model.loading import has_service_value
 from ptbatch.response import ANCHORED, END, JACKED, PEAK, SERVICE, SET, Curve, Event, Response, TendonState
@@ -60,7 +60,8 @@ def recorded(run: Run, rows: slice) -> Recorded:
     case, history = run.rig.case, run.rig.case.history
     aged = history.stage[rows] >= stages.TIME
     free = np.moveaxis(run.rig.own_strain.reshape(-1, len(case.model.x) - 1, 2), 0, -1)
-    return Recorded(case.model, history.u[rows], history.T[rows], history.strain[rows], aged, free)
+    strains = section_strains(case.model.x, history.u[rows])
+    return Recorded(case.model, *strains, history.T[rows], history.strain[rows], aged, free)
 
 
 def anchored(run: Run) -> Response:
@@ -74,13 +75,14 @@ def finished(run: Run, ended: int, loss: TimeLoss | None) -> Response:
     common = _common(run, stages.LIVE) | {"time_loss": loss}
     rows = _service_rows(run)
     curve = _curve(run, rows, common["tendon"][ANCHORED].length)
-    events, failure = find_events(recorded(run, slice(rows[0], rows[-1] + 1)), curve)
+    steps = recorded(run, slice(int(rows[-1]) + 1))
+    events, failure = find_events(steps.since(int(rows[0])), curve)
     before = _before_live(run, events, failure) if failure else ""
     if complete and not failure and not _live_rows(run):
         under = AND_TIME if loss else SUSTAINED
         before, failure = f"the deflection limit is passed under {under}: no live load can be carried", LIMIT
     if before:
-        common |= _states(run, rows, common["tendon"])
+        common |= _states(run, steps, rows, common["tendon"])
         events = tuple(event for event in events if event.name != "peak")
         return Response(
             **common, curve=curve, events=events, failure=failure, status="warning", message=before
@@ -90,11 +92,11 @@ def finished(run: Run, ended: int, loss: TimeLoss | None) -> Response:
         if ended != NO_EQUILIBRIUM or last >= 0.98 * curve.load.max():
             end = f"{last / 1e3:.4g} kN, deflection {curve.deflection[-1]:.4g} mm"
             message = f"live load: {stages.WHY[ended]} beyond {end}{_why(run)}"
-            common |= _states(run, rows, common["tendon"])
+            common |= _states(run, steps, rows, common["tendon"])
             return Response(**common, curve=curve, status="not converged", message=message)
         failure = "no equilibrium beyond the peak"
     peak = next(event for event in events if event.name == "peak")
-    common |= _states(run, rows, common["tendon"], peak.step)
+    common |= _states(run, steps, rows, common["tendon"], peak.step)
     note = "" if complete else f"{stages.WHY[ended]} beyond a deflection of {curve.deflection[-1]:.4g} mm"
     return Response(
         **common,
@@ -150,7 +152,11 @@ def _common(run: Run, before: int) -> dict[str, Any]:
 
 
 def _states(
-    run: Run, rows: NDArray[np.int64], tendon: dict[str, TendonState], peak: float | None = None
+    run: Run,
+    steps: Recorded,
+    rows: NDArray[np.int64],
+    tendon: dict[str, TendonState],
+    peak: float | None = None,
 ) -> dict[str, Any]:
     """Tendon and cracks at the peak, a row of the curve with a fraction, if there is one, and at the end if
     that is another row. Cracks are those of the nearest row."""
@@ -158,7 +164,7 @@ def _states(
     at |= {} if peak is None else {PEAK: rows[0] + peak}
     at |= {} if peak is not None and round(peak) == len(rows) - 1 else {END: float(rows[-1])}
     near = [round(row) for row in at.values()]
-    cracks = cracks_at(recorded(run, slice(near[-1] + 1)), near, gross_section(run.setup.member).thickness)
+    cracks = cracks_at(steps, near, gross_section(run.setup.member).thickness)
     later = {stage: _tendon_state(run, row) for stage, row in at.items() if stage not in tendon}
     return {"tendon": tendon | later, "cracks": dict(zip(at, cracks, strict=True))}
 

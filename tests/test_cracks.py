@@ -5,7 +5,7 @@ import pytest
 
 from ptbatch.analysis import analyse, prepare, serve, stress
 from ptbatch.cracks import CHUNK, cracks_at
-from ptbatch.events import Recorded
+from ptbatch.events import Recorded, section_strains
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
 from ptbatch.model.arrays import set_up
@@ -24,7 +24,8 @@ def bent(values, *curvatures):
         row[3::5] = 0.5 * kappa * x * (x - x[-1])
         row[4::5] = kappa * (x - 0.5 * x[-1])
     rows, free = len(u), np.zeros((len(x) - 1, 2, len(model.layer_y)))
-    steps = Recorded(model, u, np.zeros((rows, len(x))), np.zeros(rows), np.zeros(rows, bool), free)
+    strains = section_strains(x, u)
+    steps = Recorded(model, *strains, np.zeros((rows, len(x))), np.zeros(rows), np.zeros(rows, bool), free)
     return steps, gross_section(setup.member).thickness
 
 

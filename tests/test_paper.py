@@ -75,6 +75,7 @@ def test_what_is_not_reproducible(comparison):
             for wedge_set in (0.05, 0.125)
             for way in ("", ", waves")
         ),
+        (NEAR[0], f"load, at 16 mm less that of {NEAR[1]}"),
     }
     figures = {line.member for line in marked if line.theirs is None}
     assert figures == {
@@ -120,17 +121,24 @@ def test_one_sine_puts_friction_near_the_jack(specimen):
 
 
 PAIR = "Specimen 2, friction", "Specimen 2, no friction"
+NEAR = "Specimen 2, friction, to 1 in", "Specimen 2, no friction, to 1 in"
 BEAMS = [(f"{beam}, mu 0.3", f"{beam}, mu 0") for beam in ("A-1", "A-2", "A-3", "A-6", "A-9")]
 
 
-@pytest.mark.parametrize(("members", "limit"), [(PAIR, 2.25), *((pair, 2.0) for pair in BEAMS)])
-def test_friction_hardly_changes_a_curve(path, members, limit):
+@pytest.mark.parametrize(
+    ("members", "limit", "beyond"),
+    [(NEAR, 2.25, 0.0), (PAIR, 2.0, 25.0), *((pair, 2.0, 0.0) for pair in BEAMS)],
+)
+def test_friction_hardly_changes_a_curve(path, members, limit, beyond):
     """Published as a finding; 2 % of the peak load anywhere is the issue's. Specimen 2 passes by it at yield,
-    where fine steps find 2.1 %. Tao and Du's beams: unverified input."""
+    where fine steps find 2.1 %: between steps of 0.6 mm half a step of either curve's bend comes on top. Tao
+    and Du's beams: unverified input."""
     with_friction, without = read_stored(path, members)
     deflection, load = (without.curves.numbers(header) for header in CURVE)
     other = np.interp(deflection, *(with_friction.curves.numbers(header) for header in CURVE))
-    assert np.abs(other - load).max() < limit / 100.0 * without.value("load_peak [kN]")
+    less = np.abs(other - load)[deflection > beyond]
+    peak = read_stored(path, PAIR)[1] if members == NEAR else without
+    assert less.max() < limit / 100.0 * peak.value("load_peak [kN]")
 
 
 def test_fine_steps_find_where_friction_matters_most():

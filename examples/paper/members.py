@@ -96,6 +96,8 @@ def specimen_2_with_every_bond() -> list[Row]:
         "no friction, polygon": none | {"sheathing": "polygon"},
         "no friction, polygon, uncorrected": none | {"sheathing": "polygon", "correction": "no"},
     }
+    near = {"deflection_limit [in]": 1}  # whose steps are a third as long, where friction matters most
+    ways |= {"friction, to 1 in": near, "no friction, to 1 in": none | near}
     return [beam | values | {"member": f"Specimen 2, {name}"} for name, values in ways.items()]
 
 

@@ -65,7 +65,7 @@ def stretch_tendon(model, state, work, with_slope):
         y = model.tendon_x[e + 1, 1] - model.tendon_x[e, 1] + (work.place[e + 1, 1] - work.place[e, 1])
         rest = model.rest_length[e]
         work.length[e], work.chord[e, 0], work.chord[e, 1] = unit(x, y)
-        strain = stretch(rest, x, y)
+        strain = stretch(rest, work.length[e])
         if with_slope:
             work.T[e], work.slope[e] = tension_and_slope(strain, state.tendon[e], rest, model.strand)
         else:

@@ -1,5 +1,5 @@
-"""Unsymmetric banded matrices (n, 3 half + 1): row i holds its columns i - half .. i + half, and room for half
-as many more to the right of these, which the swaps of rows may fill.
+"""Unsymmetric banded matrices (n, 3 half + 1): row i holds its columns i - half .. i + half, and room for
+half as many more to the right of these, which the swaps of rows may fill.
 
 Indices are unsigned: numba would look at each of the others twice, should it count from the end.
 """

@@ -21,6 +21,7 @@ from ptbatch.core.jit import inverse, inverse_root, kernel
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 # Motion of a tendon node along its duct in an iteration
 BACKWARD, STICKING, FORWARD, HELD, GROUTED, UNKNOWN, EXPECTED_FORWARD, EXPECTED_BACKWARD = range(8)
+ARRIVED = 1e-8  # share of a segment; Newton's next step would be the square of the last one
 
 
 class Segment(NamedTuple):
@@ -101,7 +102,7 @@ def project(q, px, py, xi, seg):
     then mends. px, py: see `masters`."""
     for _ in range(20):
         new = projection_step(q, px, py, xi, seg)
-        if abs(new - xi) < 1e-14:
+        if abs(new - xi) < ARRIVED:
             return new
         xi = new
     return xi

@@ -14,16 +14,22 @@ CRACK_SCALE = 1e-4  # strain; cracking is counted as a difference, for without t
 
 @kernel
 def demands(case, u):
-    """((cracking, yield, limit), tendon): how near the member is to its first crack, to yield of a bar or the
-    tendon, to the limit strain of any material and of the tendon alone; at displacements u.
+    """`demands_as_evaluated` at displacements u; the tendon's strain is that of the last evaluation."""
+    beam_strains(case.model, u, case.work)
+    return demands_as_evaluated(case)
 
-    Concrete is judged at the extreme fibres of the sections. The tendon's strain is that of the last
-    evaluation. A ruptured bar no longer counts.
+
+@kernel
+def demands_as_evaluated(case):
+    """((cracking, yield, limit), tendon): how near the member is to its first crack, to yield of a bar or the
+    tendon, to the limit strain of any material and of the tendon alone; at the strains of the last
+    evaluation.
+
+    Concrete is judged at the extreme fibres of the sections. A ruptured bar no longer counts.
     """
     model, state, work = case.model, case.state, case.work
     opening = crushing = -1.0
     bars = yielding = 0.0
-    beam_strains(model, u, work)
     levers = face_levers(model)
     for e in range(model.x.size - 1):
         for g in range(2):

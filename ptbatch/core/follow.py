@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.core.case import Target, driven
-from ptbatch.core.failure import LIMIT, demands
+from ptbatch.core.failure import LIMIT, demands, demands_as_evaluated
 from ptbatch.core.jit import inlined, kernel
 from ptbatch.core.model import beam_dof
 from ptbatch.core.newton import CONVERGED
@@ -138,7 +138,7 @@ def reach(case, load, drive, step, way, ahead):
     target = Target(load.fixed, load.pattern, load.bonded, drive.dof, drive.other, value)
     share = step / way.taken if ahead and way.taken > 0.0 else 0.0
     status, factor, iterations, error = find_equilibrium(case, target, way.factor, share, way.taken == 0.0)
-    demand, tendon = demands(case, case.work.trial)
+    demand, tendon = demands_as_evaluated(case)
     return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
 
 

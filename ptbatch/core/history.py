@@ -83,10 +83,10 @@ def record(stage, factor, iterations, residual, rest_length, work, history):
 
 @kernel
 def commit(model, state, ends, work):
-    """Make the trial the committed state: fibres, bars, tendon, contact segments and friction springs."""
+    """Make the trial, that was evaluated last, the committed state: fibres, bars, tendon, contact segments
+    and friction springs."""
     n = model.x.size - 1
     state.u[:] = work.trial
-    beam_strains(model, state.u, work)
     commit_sections(model, state, work)
     for e in range(n + 1):
         strain = (work.length[e] - model.rest_length[e]) / model.rest_length[e]

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from ptbatch.core.jit import STEP, kernel, root
+from ptbatch.core.jit import STEP, kernel
 from ptbatch.core.tendon import tendon_stress
 
 
 @kernel
-def stretch(rest, x, y):
-    """Strain of an element whose ends are (x, y) apart."""
-    return (root(x * x + y * y) - rest) / rest
+def stretch(rest, length):
+    """Strain of an element."""
+    return (length - rest) / rest
 
 
 @kernel

@@ -13,6 +13,7 @@ from ptbatch.losses import Losses
 
 Array = NDArray[np.float64]
 
+FINE = 8  # stretches an element, along which the movement is integrated: it decides on nothing but places
 NEAR = 1e-9  # of the member: stations nearer to each other are one
 
 
@@ -123,7 +124,7 @@ def _movement(
     line: Duct, profile: Profile, losses: Losses, live: tuple[bool, bool], Ep: float, target: Array
 ) -> Array:
     """How far the tendon moves to the right between slack and anchored, at the arc lengths `target`."""
-    x = np.linspace(line.x[0], line.x[-1], 40 * len(line.x) + 1)
+    x = np.linspace(line.x[0], line.x[-1], FINE * len(line.x) + 1)
     s, stress = profile.arc_length(x), losses.stress_anchored(x)
     stretched = np.append(0.0, np.cumsum(0.5 * (stress[1:] + stress[:-1]) * np.diff(s))) / Ep
     moved = np.interp(target, s, stretched)

@@ -20,8 +20,8 @@ def chord(strain, angle=-0.1):
 
 def force(vector, worst=0.0):
     """What the element asks of its far node."""
-    _, ex, ey = unit(*vector)
-    return tension(stretch(REST, *vector), worst, STRAND) * np.array([ex, ey])
+    length, ex, ey = unit(*vector)
+    return tension(stretch(REST, length), worst, STRAND) * np.array([ex, ey])
 
 
 @any_state
@@ -29,10 +29,10 @@ def force(vector, worst=0.0):
 def test_tangent_is_the_central_difference(strain, worst):
     vector = chord(strain)
     length, ex, ey = unit(*vector)
-    T, slope = tension_and_slope(stretch(REST, *vector), worst, REST, STRAND)
+    T, slope = tension_and_slope(stretch(REST, length), worst, REST, STRAND)
     k = np.empty((2, 2))
     truss_tangent(T, slope, ex, ey, length, k)
-    assert T == tension(stretch(REST, *vector), worst, STRAND)
+    assert T == tension(stretch(REST, length), worst, STRAND)
     difference = central_jacobian(lambda v: force(v, worst), vector, 1e-4)
     # 1e-4 mm: round-off 1e6 N * 1e-13 / 1e-4 = 1e-3 N/mm of about 1e5
     np.testing.assert_allclose(difference, k, rtol=1e-6, atol=0.01)

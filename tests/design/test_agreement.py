@@ -9,7 +9,7 @@ from ptbatch.analysis import jacking_stress, prepare, stress
 from ptbatch.design.aci318 import PSI
 from ptbatch.design.stresses import fibres
 from ptbatch.design.subject import Subject
-from ptbatch.events import sections
+from ptbatch.events import gauss_places, section_strains
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Member
 from ptbatch.model.arrays import set_up
@@ -58,7 +58,7 @@ def test_stresses_of_the_analysis_are_those_of_beam_theory():
     history = run.rig.case.history
     row = int(np.flatnonzero(history.stage[: history.rows[0]] == stages.ANCHORING)[-1])
     mesh, model = run.setup.mesh, run.rig.case.model
-    eps0, kappa, place = sections(mesh.x, history.u[row][None])
+    (eps0, kappa), place = section_strains(mesh.x, history.u[row][None]), gauss_places(mesh.x)
     M = section_moments(mesh.x, history.u[row], history.f[row])
     T = np.interp(place, mesh.x, history.T[row])
     e = ideal_profile(member).depth(place) - 300.0
