@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from tempfile import TemporaryFile
 from typing import Any
 
-from ptbatch.workbook.page import sayable
+from ptbatch.workbook.sayable import sayable
 
 
 class Lines:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ptbatch.compare.entry import FAIL, NOT_REPRODUCIBLE, PASS, Line, Value
-from ptbatch.workbook.page import sayable
+from ptbatch.workbook.sayable import sayable
 from ptbatch.workbook.write import Sheet
 
 HEADERS = (

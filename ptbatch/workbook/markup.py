@@ -5,12 +5,17 @@ lxml), `takes_markup` says no, and rows go the usual way.
 """
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
+from math import inf
 from typing import Any
 from xml.sax.saxutils import escape
 
 from openpyxl.utils import get_column_letter
 
+from ptbatch.workbook.sayable import sayable
 from ptbatch.workbook.stored_values import Formula
+
+TEXTS = 256  # of a column that are kept: most come again and again
 
 
 class Markup(str):
@@ -18,39 +23,65 @@ class Markup(str):
 
 
 class Styles:
-    """Numbers of the styles of a column: of its numbers, its texts, its texts that begin like a formula."""
+    """Numbers of the styles of a column: of its numbers, its texts, its texts that begin like a formula; and
+    how a cell with a fraction in it starts, before and behind the number of the row."""
 
     def __init__(self, cell: Callable[[Any], Any], column: int) -> None:
-        self.letter = get_column_letter(column)
         self._number, self._whole, self._text, self._quoted = (
             _style(cell(example)) for example in (1.5, 1, "a", "=a")
         )
+        self.start, self.fraction = f'<c r="{get_column_letter(column)}', f'"{self._number}><v>'
+        self._behind = lru_cache(TEXTS)(self._text_behind)
 
-    def cell(self, value: Any, row: int) -> str:
-        """A cell; value: None, a number, a truth value, a formula, or a text that `sayable` let through."""
-        if value is None or value == "":
+    def cell(self, value: Any, row: int) -> str | None:
+        """A cell with what `sayable` makes of a value; None where that is nothing for Markup."""
+        if isinstance(value, str):
+            behind = self._behind(value)
+            return f"{self.start}{row}{behind}" if behind else ""
+        value = in_row(sayable(value), row)
+        if value is None:
             return ""
-        place = f'<c r="{self.letter}{row}"'
+        place = f'{self.start}{row}"'
         if isinstance(value, Formula):  # its value is a text
             return f'{place}{self._number} t="str"><f>{escape(value.text[1:])}</f><v>{value.value}</v></c>'
-        if isinstance(value, float):
-            return f"{place}{self._number}><v>{value!r}</v></c>"
         if isinstance(value, bool):
             return f'{place}{self._whole} t="b"><v>{value:d}</v></c>'
+        if isinstance(value, float):
+            return f"{place}{self._number}><v>{value!r}</v></c>"
         if isinstance(value, int):
             return f"{place}{self._whole}><v>{value}</v></c>"
+        return self.cell(value, row) if isinstance(value, str) else None
+
+    def _text_behind(self, value: str) -> str:
+        """What stands behind the number of the row of a cell with a text; empty if it is."""
+        value = sayable(value)
+        if not value:
+            return ""
         style = self._quoted if value[0] in "=+-@" else self._text
         space = "" if value == value.strip() and "\n" not in value else ' xml:space="preserve"'
-        return f'{place}{style} t="inlineStr"><is><t{space}>{escape(value)}</t></is></c>'
+        return f'"{style} t="inlineStr"><is><t{space}>{escape(value)}</t></is></c>'
 
 
 def _style(cell: Any) -> str:
     return f' s="{cell.style_id}"' if cell.has_style else ""
 
 
-def row_markup(values: Sequence[Any], columns: Sequence[Styles], row: int) -> Markup:
-    """A row of cells, one below each header."""
-    cells = [style.cell(value, row) for value, style in zip(values, columns, strict=True)]
+def in_row(value: Any, row: int) -> Any:
+    """A formula for that row; anything else as it is."""
+    return value._replace(text=value.text.format(row=row)) if isinstance(value, Formula) else value
+
+
+def row_markup(values: Sequence[Any], columns: Sequence[Styles], row: int) -> Markup | None:
+    """A row of cells, one below each header; None where a value is nothing for Markup."""
+    cells = []
+    for column, value in zip(columns, values, strict=True):
+        if type(value) is float and -inf < value < inf:  # nearly all of them
+            cells.append(f"{column.start}{row}{column.fraction}{value!r}</v></c>")
+            continue
+        cell = column.cell(value, row)
+        if cell is None:
+            return None
+        cells.append(cell)
     return Markup(f'<row r="{row}">{"".join(cells)}</row>')
 
 

@@ -1,14 +1,10 @@
 """A sheet of a new workbook, filled row by row: texts that cannot become formulas, readable headers."""
 
 from collections.abc import Mapping, Sequence
-from datetime import date, time, timedelta
 from functools import partial
-from math import isfinite
-from numbers import Integral, Real
 from typing import Any
 
 from openpyxl.cell import WriteOnlyCell
-from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 from openpyxl.comments import Comment
 from openpyxl.styles import Alignment, Font, PatternFill
 from openpyxl.utils import get_column_letter
@@ -16,15 +12,12 @@ from openpyxl.worksheet.properties import PageSetupProperties
 
 from ptbatch.errors import WriteError
 from ptbatch.workbook.formats import number_format, width
-from ptbatch.workbook.markup import Styles, row_markup, takes_markup
+from ptbatch.workbook.markup import Styles, in_row, row_markup, takes_markup
 from ptbatch.workbook.read import LAST_ROW
+from ptbatch.workbook.sayable import sayable
 from ptbatch.workbook.stored_values import Formula
 
 TEXT = "@"  # format of a cell that Excel makes no number or date of
-DATES = date | time | timedelta
-PLAIN = frozenset((float, int, bool, str, type(None), Formula))  # what `row_markup` can write
-NOT_FINITE = "not a finite number"
-LONGEST_TEXT = 32_767  # of an Excel cell
 _BOLD = Font(name="Calibri", size=11, bold=True)
 _WRAPPED = Alignment(wrap_text=True, vertical="top")
 _SHADED = PatternFill("solid", fgColor="E8EDF3")
@@ -73,11 +66,12 @@ class Page:
         if self.full:
             raise FullSheetError(f"sheet {self._sheet.title} has {LAST_ROW} rows, more than Excel takes")
         self._rows += 1
-        values = [_in_row(sayable(value), self._rows) for value in values]
-        if self._quick and PLAIN.issuperset(map(type, values)):
-            self._sheet.append((row_markup(values, self._styles, self._rows),))
+        markup = row_markup(values, self._styles, self._rows) if self._quick else None
+        if markup is None:
+            said = [in_row(sayable(value), self._rows) for value in values]
+            self._sheet.append(list(map(self._cell, said, self._formats)))
         else:
-            self._sheet.append(list(map(self._cell, values, self._formats)))
+            self._sheet.append((markup,))
 
     def filtered(self) -> None:
         """Give the headers buttons that filter the rows; once all rows are there."""
@@ -108,28 +102,9 @@ class Page:
         return cell
 
 
-def _in_row(value: Any, row: int) -> Any:
-    """A formula for that row; anything else as it is."""
-    return value._replace(text=value.text.format(row=row)) if isinstance(value, Formula) else value
-
-
 def on_one_page(sheet: Any, area: str) -> None:
     """Have an area of a sheet printed on one page, lying."""
     sheet.print_area = area
     sheet.page_setup.orientation = "landscape"
     sheet.page_setup.fitToHeight = sheet.page_setup.fitToWidth = 1
     sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
-
-
-def sayable(value: Any) -> Any:
-    """A value as it can stand in a cell or in JSON: finite, not too long, without control characters."""
-    if type(value) is float:  # nearly all of them
-        return value if isfinite(value) else NOT_FINITE
-    if value is None or isinstance(value, bool | DATES | Formula):
-        return value
-    if isinstance(value, Integral):
-        return int(value)
-    if isinstance(value, Real):
-        return float(value) if isfinite(value) else NOT_FINITE
-    text = ILLEGAL_CHARACTERS_RE.sub("", str(value))
-    return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 4] + " ..."

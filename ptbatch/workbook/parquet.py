@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ptbatch.workbook.arrow import load_arrow
-from ptbatch.workbook.page import sayable
+from ptbatch.workbook.sayable import sayable
 
 ROWS_AT_ONCE = 20_000  # of a row group
 REASONS = "without value"  # column for the texts that stand where a number is wanted

@@ -6,8 +6,8 @@ from typing import Any
 
 from ptbatch.workbook.column import System
 from ptbatch.workbook.inputs import Inputs
-from ptbatch.workbook.page import sayable
 from ptbatch.workbook.rows import Row
+from ptbatch.workbook.sayable import sayable
 from ptbatch.workbook.systems import headers_in, record_in, sentence_in
 
 HEAD = ("member", "status", "message")

@@ -15,9 +15,10 @@ from openpyxl.worksheet.datavalidation import DataValidation
 
 from ptbatch.workbook.charts import Block, add_charts
 from ptbatch.workbook.column import System
-from ptbatch.workbook.page import TEXT, on_one_page, sayable
+from ptbatch.workbook.page import TEXT, on_one_page
 from ptbatch.workbook.places import PLACES, VIEWED, Places
 from ptbatch.workbook.results import CURVES, SUMMARY, TENDON
+from ptbatch.workbook.sayable import sayable
 from ptbatch.workbook.stored_values import Formula, store_values
 from ptbatch.workbook.systems import headers_in, written
 from ptbatch.workbook.viewed import CURVE_COLUMNS, POINT_COLUMNS, Names, curve_values, point_values
