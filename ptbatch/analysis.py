@@ -9,12 +9,13 @@ from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
 from ptbatch.design.longterm import TimeLoss
 from ptbatch.design.time_losses import takes_time, time_loss
-from ptbatch.losses import analytic_losses, fpj_for_mean
+from ptbatch.losses import fpj_for_mean
 from ptbatch.member import Member
 from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
 from ptbatch.postprocess import anchored, finished, stopped
 from ptbatch.response import Response
 from ptbatch.run import Run
+from ptbatch.tendon_losses import tendon_losses
 
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
@@ -43,9 +44,7 @@ def analyse(member: Member, *, refine: int = 1) -> Response:
 def prepare(setup: Setup, fpj: float) -> Run:
     """A member with its tendon slack in the duct, placed for the jacking stress."""
     member = setup.member
-    losses = analytic_losses(
-        setup.ideal, fpj, member.mu, member.K, member.Ep, member.set, member.jack, reversal="mirror"
-    )
+    losses = tendon_losses(vars(member), fpj)
     arrays, state, ends, start = model(setup, losses)
     n = len(setup.mesh.x) - 1
     case = Case(

@@ -5,13 +5,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ptbatch.geometry.profile import ideal_profile
-from ptbatch.losses import Losses, analytic_losses
+from ptbatch.losses import Losses
 from ptbatch.member import Member
 from ptbatch.report.friction import friction_steps
 from ptbatch.report.step import ANCHORED_CURVE, JACKED_CURVE, Step, with_unit
 from ptbatch.report.wedge_set import set_steps
 from ptbatch.report.words import MINUS, Words, fixed
+from ptbatch.tendon_losses import tendon_losses
 from ptbatch.workbook.stored import Stored
 
 
@@ -20,8 +20,7 @@ def losses_of(stored: Stored) -> Losses:
     member = stored.member
     assert member is not None  # by the chapter
     fpj = stored.value("jacking_stress [MPa]") if member.fpj is None else member.fpj
-    friction = member.mu, member.K, member.Ep, member.set, member.jack
-    return analytic_losses(ideal_profile(member), fpj, *friction, reversal="mirror")
+    return tendon_losses(vars(member), fpj)
 
 
 def derivation(stored: Stored) -> list[Step]:

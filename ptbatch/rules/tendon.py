@@ -1,13 +1,10 @@
 """The tendon: its path inside the section, its stress."""
 
 from collections.abc import Iterator
-from types import SimpleNamespace
 
-from ptbatch.geometry.profile import ideal_profile
-from ptbatch.losses import analytic_losses, fpj_for_mean
+from ptbatch.losses import fpj_for_mean
 from ptbatch.rules.fault import Fault, Rule, Values, counted, rule
-
-PATH = ("span", "profile", "dp", "profile_points", "h", "inflection", "harp")
+from ptbatch.tendon_losses import FRICTION, PATH, ideal_path, tendon_losses
 
 
 @rule("span", "profile", "dp", "profile_points")
@@ -105,7 +102,7 @@ def path_is_sound(v: Values) -> bool:
     return not any(rule(v) for rule in rules)
 
 
-@rule(*PATH, "fpu", "set", "mu", "K", "Ep", "jack")
+@rule(*PATH, *FRICTION, "fpu")
 def set_leaves_stress(v: Values) -> Iterator[Fault]:
     """Stress is left after the wedge set, and `fpe` can be reached without passing fpu at the jack.
 
@@ -114,16 +111,15 @@ def set_leaves_stress(v: Values) -> Iterator[Fault]:
     wanted = v.get("fpe")
     if not path_is_sound(v) or (wanted is None) == (v.get("fpj") is None):
         return
-    friction = v["mu"], v["K"], v["Ep"], v["set"], v["jack"]
-    path = ideal_profile(SimpleNamespace(**v))
-    fpj: float = v["fpj"] if wanted is None else fpj_for_mean(path, wanted, *friction)
+    friction = [v[name] for name in FRICTION]
+    fpj: float = v["fpj"] if wanted is None else fpj_for_mean(ideal_path(v), wanted, *friction)
     if wanted is not None:
         if fpj > v["fpu"]:
             wrong = f"a set of {v['set']:g} mm makes it take {fpj:.4g} MPa at the jack, above fpu"
             yield Fault("fpe", wanted, wrong, "ask for less stress, or give a smaller set")
             return
     try:
-        analytic_losses(path, fpj, *friction, reversal="mirror")
+        tendon_losses(v, fpj)
     except ValueError as slack:
         wrong = str(slack).removeprefix("set: ")
         yield Fault("set", v["set"], wrong, "give a smaller set, or 0 where losses are not asked for")

@@ -9,7 +9,8 @@ import numpy as np
 from ptbatch.geometry.profile import ideal_profile, tendon_profile
 from ptbatch.geometry.wobble import FEWEST, stretches
 from ptbatch.rules.fault import Fault, Rule, Values, rule
-from ptbatch.rules.tendon import PATH, path_is_sound
+from ptbatch.rules.tendon import path_is_sound
+from ptbatch.tendon_losses import PATH
 
 DIRECT = "take wobble = direct: the same friction, per length of tendon"
 
