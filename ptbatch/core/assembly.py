@@ -20,7 +20,7 @@ from ptbatch.core.contact_tangent import contact_tangent
 from ptbatch.core.jit import STEP, cos_sin, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.section import section_forces, section_tangent
-from ptbatch.core.truss import stretch, tension, tension_and_slope, truss_tangent, unit
+from ptbatch.core.truss import stretch, tensions, tensions_and_slopes, truss_tangent, unit
 from ptbatch.core.turning import roughness
 
 
@@ -63,13 +63,12 @@ def stretch_tendon(model, state, work, with_slope):
     for e in range(model.rest_length.size):
         x = model.tendon_x[e + 1, 0] - model.tendon_x[e, 0] + (work.place[e + 1, 0] - work.place[e, 0])
         y = model.tendon_x[e + 1, 1] - model.tendon_x[e, 1] + (work.place[e + 1, 1] - work.place[e, 1])
-        rest = model.rest_length[e]
         work.length[e], work.chord[e, 0], work.chord[e, 1] = unit(x, y)
-        strain = stretch(rest, work.length[e])
-        if with_slope:
-            work.T[e], work.slope[e] = tension_and_slope(strain, state.tendon[e], rest, model.strand)
-        else:
-            work.T[e] = tension(strain, state.tendon[e], model.strand)
+        work.stretch[e] = stretch(model.rest_length[e], work.length[e])
+    if with_slope:
+        tensions_and_slopes(work.stretch, state.tendon, model.rest_length, model.strand, work.T, work.slope)
+    else:
+        tensions(work.stretch, state.tendon, model.strand, work.T)
 
 
 @kernel

@@ -43,8 +43,8 @@ def demands_as_evaluated(case):
                     bars = max(bars, strain)
                     yielding = max(yielding, strain * model.steel.Es / model.bar_fy[i])
     tendon = 0.0
-    for e in range(model.rest_length.size):
-        tendon = max(tendon, (work.length[e] - model.rest_length[e]) / model.rest_length[e])
+    for e in range(work.stretch.size):
+        tendon = max(tendon, work.stretch[e])
         if model.strand.law != ELASTIC_TENDON:
             yielding = max(yielding, work.T[e] / (model.strand.Aps * model.strand.fpy))
     concrete = model.concrete

@@ -64,7 +64,7 @@ def new_history(rows: int, n: int) -> History:
 
 
 @kernel
-def record(stage, factor, iterations, residual, rest_length, work, history):
+def record(stage, factor, iterations, residual, work, history):
     row = history.rows[0]
     last = work.T.size - 1
     history.stage[row] = stage
@@ -77,7 +77,7 @@ def record(stage, factor, iterations, residual, rest_length, work, history):
     history.s[row] = work.s
     history.anchor[row, 0] = work.T[0] + work.shear[0]
     history.anchor[row, 1] = work.T[last] + work.shear[last + 1]
-    history.strain[row] = np.max((work.length - rest_length) / rest_length)
+    history.strain[row] = np.max(work.stretch)
     history.rows[0] = row + 1
 
 
@@ -89,8 +89,7 @@ def commit(model, state, ends, work):
     state.u[:] = work.trial
     commit_sections(model, state, work)
     for e in range(n + 1):
-        strain = (work.length[e] - model.rest_length[e]) / model.rest_length[e]
-        state.tendon[e] = max(state.tendon[e], strain)
+        state.tendon[e] = max(state.tendon[e], work.stretch[e])
     state.segment[:] = work.segment
     state.s[:] = work.s
     state.rub[:] = work.shear

@@ -53,7 +53,7 @@ def positive_power(x, exponent):
     return exp2(exponent * log2(x))
 
 
-@kernel
+@inlined
 def power(z, exponent):
     """The same, complex step carried to first order."""
     p = positive_power(z.real, exponent)

@@ -66,4 +66,4 @@ def extrapolate(ahead, case):
 def accept(case, stage, factor, iterations, error):
     """Make the step that was tried last the committed state and record it."""
     commit(case.model, case.state, case.ends, case.work)
-    record(stage, factor, iterations, error, case.model.rest_length, case.work, case.history)
+    record(stage, factor, iterations, error, case.work, case.history)

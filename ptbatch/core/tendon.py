@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from ptbatch.core.jit import kernel
+from ptbatch.core.jit import inlined
 from ptbatch.core.power import power
 
 RAMBERG_OSGOOD, BILINEAR, ELASTIC_TENDON = range(3)
@@ -23,24 +23,25 @@ class Strand(NamedTuple):
     R: float
 
 
-@kernel
+@inlined
 def envelope(eps, s):
     """First-loading stress; straight with Ep below zero strain (a slack tendon is stiff only in name: it is
     never left there)."""
-    if s.law == ELASTIC_TENDON or eps.real <= 0.0:
-        return s.Ep * eps
+    elastic = s.Ep * eps
+    if s.law == ELASTIC_TENDON:
+        return elastic
     if s.law == BILINEAR:
         eps_y = s.fpy / s.Ep
-        if eps.real <= eps_y:
-            return s.Ep * eps
-        return s.fpy + (s.fpu - s.fpy) * (eps - eps_y) / (s.epu - eps_y)
-    elastic = s.Ep * eps
-    return elastic * (s.Q + (1.0 - s.Q) * power(1.0 + power(elastic / s.knee, s.R), -1.0 / s.R))
+        yielding = s.fpy + (s.fpu - s.fpy) * (eps - eps_y) / (s.epu - eps_y)
+        return elastic if eps.real <= eps_y else yielding
+    taut = eps.real > 0.0
+    ratio = elastic * (1.0 / s.knee) if taut else 1.0 + 0.0 * eps
+    curved = elastic * (s.Q + (1.0 - s.Q) * power(1.0 + power(ratio, s.R), -1.0 / s.R))
+    return curved if taut else elastic
 
 
-@kernel
+@inlined
 def tendon_stress(eps, worst, s):
     """Stress at strain eps when the largest committed strain is worst."""
-    if eps.real >= worst:
-        return envelope(eps, s)
-    return envelope(worst, s) - s.Ep * (worst - eps)
+    on = eps if eps.real >= worst else worst + 0.0 * eps  # where the envelope was left
+    return envelope(on, s) - s.Ep * (on - eps)

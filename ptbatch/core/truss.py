@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ptbatch.core.jit import STEP, kernel
+from ptbatch.core.jit import STEP, inlined, kernel
 from ptbatch.core.tendon import tendon_stress
 
 
@@ -12,17 +12,26 @@ def stretch(rest, length):
     return (length - rest) / rest
 
 
-@kernel
+@inlined
 def tension(strain, worst, strand):
     """Axial force in N."""
     return strand.Aps * tendon_stress(strain, worst, strand)
 
 
 @kernel
-def tension_and_slope(strain, worst, rest, strand):
-    """(T, dT/dlength) by the complex step."""
-    T = tension(complex(strain, STEP), worst, strand)
-    return T.real, T.imag / STEP / rest
+def tensions(strain, worst, strand, T):
+    """Axial forces T (k,) of k elements."""
+    for e in range(strain.size):
+        T[e] = tension(strain[e], worst[e], strand)
+
+
+@kernel
+def tensions_and_slopes(strain, worst, rest, strand, T, slope):
+    """The same, and how they grow with the length (k,), by the complex step."""
+    for e in range(strain.size):
+        found = tension(complex(strain[e], STEP), worst[e], strand)
+        T[e] = found.real
+        slope[e] = found.imag / STEP / rest[e]
 
 
 @kernel

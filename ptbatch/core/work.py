@@ -26,6 +26,7 @@ class Work(NamedTuple):
     T: np.ndarray  # (n+1,) tendon element: tension,
     slope: np.ndarray  # (n+1,) its derivative by length,
     length: np.ndarray  # (n+1,) current length,
+    stretch: np.ndarray  # (n+1,) strain
     chord: np.ndarray  # (n+1, 2) and direction
     segment: np.ndarray  # (n+2,) int
     xi: np.ndarray  # (n+2,)
@@ -75,9 +76,7 @@ def new_work(n: int, half: int) -> Work:
         np.zeros(ndof, np.int64),
         np.zeros((n + 2, 2)),
         np.zeros((n + 1, 2)),
-        np.zeros(n + 1),
-        np.zeros(n + 1),
-        np.zeros(n + 1),
+        *[np.zeros(n + 1) for _ in range(4)],
         np.zeros((n + 1, 2)),
         np.zeros(n + 2, np.int64),
         np.full(n + 2, 0.5),
