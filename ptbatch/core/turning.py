@@ -12,21 +12,24 @@ from ptbatch.core.jit import kernel
 
 
 @kernel
-def integral(s, stations, table):
-    """Cubic Hermite value of a tabulated first integral; the columns are value, slope to the right and slope
-    to the left."""
+def place(s, stations):
+    """(interval, weights (4,)) of the cubic Hermite value at s of what is tabulated at
+    stations: see `integral`."""
     i = np.searchsorted(stations, s) - 1
     i = min(max(i, 0), stations.size - 2)
     h = stations[i + 1] - stations[i]
     t = (s - stations[i]) / h
     t2 = t * t
     t3 = t2 * t
-    return (
-        (1.0 - 3.0 * t2 + 2.0 * t3) * table[i, 0]
-        + (t - 2.0 * t2 + t3) * h * table[i, 1]
-        + (3.0 * t2 - 2.0 * t3) * table[i + 1, 0]
-        + (t3 - t2) * h * table[i + 1, 2]
-    )
+    rise = 3.0 * t2 - 2.0 * t3
+    return i, (1.0 - rise, (t - 2.0 * t2 + t3) * h, rise, (t3 - t2) * h)
+
+
+@kernel
+def integral(i, w, table):
+    """Value of a tabulated first integral; the columns are value, slope to the right and slope to the
+    left."""
+    return w[0] * table[i, 0] + w[1] * table[i, 1] + w[2] * table[i + 1, 0] + w[3] * table[i + 1, 2]
 
 
 @kernel
@@ -48,8 +51,9 @@ def roughness(s, model, rough):
     for j in range(last + 1):
         if j < last:
             span = s[j + 1] - s[j]
-            next_turn = integral(s[j + 1], stations, model.hat_turn)
-            next_angle = integral(s[j + 1], stations, model.hat_angle)
+            i, w = place(s[j + 1], stations)
+            next_turn = integral(i, w, model.hat_turn)
+            next_angle = integral(i, w, model.hat_angle)
             turned = (next_turn - turn) / span
             direction = (next_angle - angle) / span
         else:
