@@ -15,7 +15,7 @@ from benchmarks.processes import start_table
 from benchmarks.record import write_results
 from benchmarks.stagewise import stage_table
 from benchmarks.table import Table
-from benchmarks.volume import element_table, row_table, worker_table
+from benchmarks.volume import element_table, mixed_table, row_table, worker_table
 
 
 def benchmarks(quick: bool) -> dict[str, Callable[[], Table]]:
@@ -28,6 +28,7 @@ def benchmarks(quick: bool) -> dict[str, Callable[[], Table]]:
         "workers": lambda: worker_table(60 if quick else 300),
         "elements": lambda: element_table([20, 40] if quick else [20, 40, 80, 160], repeats),
         "rows": lambda: row_table([10, 100] if quick else [10, 100, 1_000, 10_000]),
+        "mixed": lambda: mixed_table(100 if quick else 1_000),
         "start": lambda: start_table(repeats, cold=not quick),
     }
 

@@ -14,6 +14,8 @@ from benchmarks.table import Table
 from ptbatch.analysis import analyse
 from ptbatch.member import Member
 from ptbatch.runner import on_threads
+from ptbatch.workbook.echo import echo
+from ptbatch.workbook.write import write_workbook
 
 
 def element_table(counts: list[int], repeats: int) -> Table:
@@ -68,10 +70,29 @@ def row_table(counts: list[int]) -> Table:
     return table
 
 
+def mixed_table(count: int) -> Table:
+    """`ptbatch run` of a workbook of the random population, from start to exit."""
+    table = Table(
+        f"Mixed rows: ptbatch run of {count} of the random population, {os.cpu_count()} workers",
+        ["rows", "s", "ms/row", "peak memory [MB]", "results [MB]"],
+        note="Reading, analysis and writing; everything is compiled.",
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "mixed.xlsx"
+        write_workbook(path, echo(population(count)))
+        usage, size = _timed(path)
+    table.add(count, usage.seconds, 1e3 * usage.seconds / count, usage.megabytes, size)
+    return table
+
+
 def run_rows(rows: int) -> tuple[Usage, float]:
     """What a run of that many rows used, and the size of its results [MB]."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "rows.xlsx"
         write_rows(path, rows)
-        usage = ptbatch("run", str(path))
-        return usage, path.with_name("rows.results.xlsx").stat().st_size / 1e6
+        return _timed(path)
+
+
+def _timed(path: Path) -> tuple[Usage, float]:
+    usage = ptbatch("run", str(path), failed_rows=True)
+    return usage, path.with_name(f"{path.stem}.results.xlsx").stat().st_size / 1e6

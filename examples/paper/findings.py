@@ -35,10 +35,10 @@ def curves_of_specimen_2() -> list[Row]:
         "cracks and yields later."
     )
     most = (
-        "2.5 % of the peak load, for 2 % is not quite met: with steps eight times as fine the loads differ by "
-        "up to 2.7 % of themselves, at 10.5 mm, and by up to 2.1 % of the peak load, at 15.9 mm, where the "
-        "bars of one member yield and those of the other do not yet (1.9 % at 10 mm). The bend of the curves "
-        "between two steps comes on top."
+        "2.5 % of the peak load, for 2 % is not quite met: with steps eight times as fine the loads differ "
+        "by up to 2.7 % of themselves, at 10.5 mm, and by up to 2.1 % of the peak load, at 15.9 mm, where "
+        "the bars of one member yield and those of the other do not yet (1.9 % at 10 mm). The bend of the "
+        "curves between two steps comes on top."
     )
     ranges = [(d, 2.0, HARDLY) for d in (2, 5)] + [(d, 2.5, most) for d in (10, 16)]
     ranges += [(d, 2.0, cracking) for d in (15, 20)]
