@@ -20,7 +20,7 @@ from ptbatch.core.contact_tangent import contact_tangent
 from ptbatch.core.jit import STEP, cos_sin, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.section import section_forces, section_tangent
-from ptbatch.core.truss import stretch, tensions, tensions_and_slopes, truss_tangent, unit
+from ptbatch.core.truss import stretch, tensions, truss_tangent, unit
 from ptbatch.core.turning import roughness
 
 
@@ -57,18 +57,14 @@ def place_nodes(model, u, work):
 
 
 @kernel
-def stretch_tendon(model, state, work, with_slope):
-    """Tension, length and direction of all tendon elements; the slope dT/dlength where a tangent will want
-    it."""
+def stretch_tendon(model, state, work):
+    """Tension, its slope dT/dlength, length and direction of all tendon elements."""
     for e in range(model.rest_length.size):
         x = model.tendon_x[e + 1, 0] - model.tendon_x[e, 0] + (work.place[e + 1, 0] - work.place[e, 0])
         y = model.tendon_x[e + 1, 1] - model.tendon_x[e, 1] + (work.place[e + 1, 1] - work.place[e, 1])
         work.length[e], work.chord[e, 0], work.chord[e, 1] = unit(x, y)
         work.stretch[e] = stretch(model.rest_length[e], work.length[e])
-    if with_slope:
-        tensions_and_slopes(work.stretch, state.tendon, model.rest_length, model.strand, work.T, work.slope)
-    else:
-        tensions(work.stretch, state.tendon, model.strand, work.T)
+    tensions(work.stretch, state.tendon, model.rest_length, model.strand, work.T, work.slope)
 
 
 @kernel
@@ -233,7 +229,7 @@ def internal_forces(model, state, u, ends, bonded, work):
     """work.f at u, for which `find_segments` or `stay_on_segments` has placed the tendon: without a
     tangent."""
     n = model.x.size - 1
-    stretch_tendon(model, state, work, False)
+    stretch_tendon(model, state, work)
     work.f[:] = 0.0
     beam_strains(model, u, work)
     section_forces(model, state, work)
@@ -291,7 +287,7 @@ def tangent(model, state, u, ends, bonded, damping, work):
     """work.f and work.matrix at u, after a fresh contact search."""
     n = model.x.size - 1
     find_segments(model, u, work)
-    stretch_tendon(model, state, work, True)
+    stretch_tendon(model, state, work)
     work.f[:] = 0.0
     work.matrix[:] = 0.0
     beam_strains(model, u, work)

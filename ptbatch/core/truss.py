@@ -19,15 +19,8 @@ def tension(strain, worst, strand):
 
 
 @kernel
-def tensions(strain, worst, strand, T):
-    """Axial forces T (k,) of k elements."""
-    for e in range(strain.size):
-        T[e] = tension(strain[e], worst[e], strand)
-
-
-@kernel
-def tensions_and_slopes(strain, worst, rest, strand, T, slope):
-    """The same, and how they grow with the length (k,), by the complex step."""
+def tensions(strain, worst, rest, strand, T, slope):
+    """Axial forces T (k,) of k elements and how they grow with the length, by the complex step."""
     for e in range(strain.size):
         found = tension(complex(strain[e], STEP), worst[e], strand)
         T[e] = found.real
