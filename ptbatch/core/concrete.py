@@ -44,8 +44,8 @@ class Concrete(NamedTuple):
 
 @inlined
 def power_law(x, c):
-    """(stress, slope), both positive, at a compressive strain x > 0 of the laws with a power in them, short
-    of the strain that they hold their stress from.
+    """Envelope stress (positive) and its slope at a compressive strain x > 0 of the laws with a power in them,
+    short of the strain that they hold their stress from.
 
     EN 1992-1-1 (3.17): parabola-rectangle. Popovics (1973) in Collins and Mitchell's form.
     """
@@ -63,10 +63,10 @@ def tangent_line(x, c):
     """Coefficients (a, b, 0) of the tangent to the envelope of these laws at x; a fibre in tension gets that
     at zero."""
     last = min(c.crushing_strain, c.eps_c) if c.law == PARABOLA_RECTANGLE else c.crushing_strain
-    rising = x < last
+    within = x < last
     x = x if x > TINY * c.eps_c else TINY * c.eps_c
-    stress, slope = power_law(x if rising else (1.0 - TINY) * last, c)
-    slope = slope if rising else 0.0
+    stress, slope = power_law(x if within else (1.0 - TINY) * last, c)
+    slope = slope if within else 0.0
     return stress - slope * x, slope, 0.0
 
 

@@ -17,7 +17,7 @@ class Work(NamedTuple):
     du: np.ndarray  # (ndof,)
     du_load: np.ndarray  # (ndof,) response to the live pattern
     matrix: np.ndarray  # (ndof, 3 half + 1), see `banded`
-    weights: np.ndarray  # (ndof,)
+    weights: np.ndarray  # (ndof,) one over the largest number of each row
     multipliers: np.ndarray  # (ndof, half)
     pivots: np.ndarray  # (ndof,) int
     reach: np.ndarray  # (ndof,) int
