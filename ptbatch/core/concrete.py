@@ -44,8 +44,8 @@ class Concrete(NamedTuple):
 
 @inlined
 def power_law(x, c):
-    """Envelope stress (positive) and its slope at a compressive strain x > 0 of the laws with a power in them,
-    short of the strain that they hold their stress from.
+    """Envelope stress (positive) and its slope, at a compressive strain x > 0, of the laws with a power in
+    them, short of the strain that they hold their stress from.
 
     EN 1992-1-1 (3.17): parabola-rectangle. Popovics (1973) in Collins and Mitchell's form.
     """
