@@ -6,9 +6,8 @@ round, and the stress rises from the anchor to that point. The area between both
 Ep * set.
 
 Every reversed curve is level * growth + offset, so that for a given still point the area makes the level the
-root of a linear equation. One bracketed search then finds the still point: where the reversed curve meets
-what lies beyond it, the jacked curve or the reversed curve of the other live end. If it meets nothing, all of
-the tendon moves.
+root of a linear equation. The still point is where the reversed curve so found meets what lies beyond it, the
+jacked curve or the reversed curve of the other live end. If it meets nothing, all of the tendon moves.
 """
 
 from dataclasses import dataclass
@@ -17,9 +16,9 @@ from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from ptbatch.geometry.curve import GAUSS_POINTS, GAUSS_WEIGHTS, Array
+from ptbatch.geometry.pieces import first_rise, running_integral
 
 End = Literal["left", "right"]
 Reversal = Literal["friction", "mirror"]
@@ -94,40 +93,43 @@ class Friction:
         """Points between which all is smooth: the breaks and, for two live ends, where their curves cross."""
         if len(self.live) == 1:
             return self.path.breaks
-        crossing = brentq(lambda x: self.exponent(x, "left") - self.total / 2.0, *self.ends.values())
-        return np.unique(np.append(self.path.breaks, crossing))
+        exponents, _ = self._between(self.path.breaks)
+        crossing = first_rise(self.path.breaks, exponents - self.total / 2.0, STILL)
+        return self.path.breaks if crossing is None else np.unique(np.append(self.path.breaks, crossing))
 
     def quadrature(self, end: End, x: float) -> tuple[Array, Array]:
         """Friction exponents from the left, and weights, of an integral over the arc length from an end to x,
         the last of them at x itself, without weight: Gauss between the stations, of which only the last piece
         is new each time."""
-        exponents, weights = self._whole_pieces
+        exponents, stretch = self.pieces
         at = int(np.searchsorted(self.stations, x, side="right" if end == "left" else "left"))
         inner = self.stations[max(at - 1, 0)] if end == "left" else self.stations[min(at, len(exponents))]
         whole = slice(0, max(at - 1, 0)) if end == "left" else slice(at, None)
         width = abs(x - inner)
         points = min(inner, x) + width * GAUSS_POINTS
-        stretch = width * GAUSS_WEIGHTS * np.hypot(1.0, self.path.slope(points))
+        last = width * GAUSS_WEIGHTS * np.hypot(1.0, self.path.slope(points))
         return (
             np.concatenate([exponents[whole].ravel(), self.exponent(np.append(points, x), "left")]),
-            np.concatenate([weights[whole].ravel(), stretch, [0.0]]),
+            np.concatenate([(stretch[whole] * GAUSS_WEIGHTS).ravel(), last, [0.0]]),
         )
 
-    def _gauss(self, start: Array, stop: Array) -> tuple[Array, Array]:
-        """Friction exponents from the left and weights (pieces, points) of integrals over the arc length."""
-        width = (stop - start)[:, None]
-        x = start[:, None] + width * GAUSS_POINTS
-        return self.exponent(x, "left"), width * GAUSS_WEIGHTS * np.hypot(1.0, self.path.slope(x))
-
     @cached_property
-    def _whole_pieces(self) -> tuple[Array, Array]:
-        return self._gauss(self.stations[:-1], self.stations[1:])
+    def pieces(self) -> tuple[Array, Array]:
+        """Friction exponents from the left at the Gauss points between the stations (pieces, points), and
+        there the arc length by the length of the piece [mm]."""
+        return self._between(self.stations)
+
+    def _between(self, edges: Array) -> tuple[Array, Array]:
+        width = np.diff(edges)[:, None]
+        x = edges[:-1, None] + width * GAUSS_POINTS
+        stretch = width * np.hypot(1.0, self.path.slope(x))
+        return self.mu * self.path.angle(x) + self.K * running_integral(stretch), stretch
 
     @cached_property
     def jacked_area(self) -> float:
         """Area under the jacked curve [mm]."""
-        exponents, weights = self._whole_pieces
-        return float((self._jacked(exponents) * weights).sum())
+        exponents, stretch = self.pieces
+        return float((self._jacked(exponents) * stretch @ GAUSS_WEIGHTS).sum())
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,52 +260,52 @@ def _live_ends(jack: str) -> tuple[End, ...]:
 
 @dataclass(frozen=True)
 class Zone:
-    """The area condition b * level = a of a reversed curve that runs from an end to x, and the curves at
-    x."""
+    """The area condition b * level = a of a reversed curve that runs from an end to x, and the curves at x; of
+    any shape, that of x."""
 
-    a: float
-    b: float
-    jacked: float
-    growth: float
-    offset: float
+    a: Array
+    b: Array
+    jacked: Array
+    growth: Array
+    offset: Array
 
 
 def _zone(friction: Friction, end: End, x: float, removed: float) -> Zone:
     exponents, weights = friction.quadrature(end, x)
     jacked, growth, offset = friction.curves(exponents, end)
-    at_x = float(jacked[-1]), float(growth[-1]), float(offset[-1])
-    return Zone(float((jacked - offset) @ weights) - removed, float(growth @ weights), *at_x)
+    a, b = (jacked - offset) @ weights - removed, growth @ weights
+    return Zone(a, b, jacked[-1], growth[-1], offset[-1])
+
+
+def _zones(friction: Friction, end: End, removed: float) -> Zone:
+    """Of every x that is a Gauss point between the stations."""
+    exponents, stretch = friction.pieces
+    jacked, growth, offset = friction.curves(exponents, end)
+    a = running_integral(stretch * (jacked - offset), end) - removed
+    return Zone(a, running_integral(stretch * growth, end), jacked, growth, offset)
 
 
 def _level(friction: Friction, end: End, x: float, removed: float) -> float:
     zone = _zone(friction, end, x, removed)
     if zone.b > 0.0:
-        return zone.a / zone.b
-    return (1.0 - zone.offset) / zone.growth  # no set, no zone: fpj stays at the anchor
+        return float(zone.a / zone.b)
+    return float((1.0 - zone.offset) / zone.growth)  # no set, no zone: fpj stays at the anchor
 
 
 def _still_point(friction: Friction, end: End, removed: float) -> float:
     """x where the reversed curve of one end meets the jacked curve; the far end if it stays below it."""
     near, far = friction.ends[end], friction.ends["right" if end == "left" else "left"]
-
-    def excess(x: float) -> float:
-        zone = _zone(friction, end, x, removed)
-        return zone.a * zone.growth + zone.b * (zone.offset - zone.jacked)  # times b: zero at the near end
-
     if removed == 0.0:
         return near
-    return far if excess(far) <= 0.0 else float(brentq(excess, near, far, xtol=STILL * abs(far - near)))
+    zone = _zones(friction, end, removed)
+    excess = zone.a * zone.growth + zone.b * (zone.offset - zone.jacked)  # times b: negative at the near end
+    met = first_rise(friction.stations, excess, STILL, end)
+    return far if met is None else met
 
 
 def _meeting_point(friction: Friction, removed: float) -> float:
     """x where the reversed curves of two live ends meet, each having lost its own area on its own side."""
-
-    def scaled(x: float, end: End) -> tuple[float, float]:
-        zone = _zone(friction, end, x, removed)
-        return zone.a * zone.growth + zone.b * zone.offset, zone.b
-
-    def excess(x: float) -> float:
-        (left, left_scale), (right, right_scale) = scaled(x, "left"), scaled(x, "right")
-        return left * right_scale - right * left_scale
-
-    return float(brentq(excess, *friction.ends.values()))
+    left, right = (_zones(friction, end, removed) for end in LIVE_ENDS["both"])
+    reach = [zone.a * zone.growth + zone.b * zone.offset for zone in (left, right)]  # times b
+    met = first_rise(friction.stations, reach[0] * right.b - reach[1] * left.b, STILL)
+    return friction.ends["right"] if met is None else met
