@@ -18,6 +18,7 @@ from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM
 from ptbatch.core.step import accept, find_equilibrium
 
 AIM, OVERSHOOT = 1.001, 1.005  # of what is looked for: where a step is to land, how near it must
+LEAST = 0.05  # of a step: it is not shortened further
 LANDINGS = 6  # steps tried to do so
 EASY, HARD = 6, 12  # iterations of a step after which the next one may be longer, should be shorter
 # The curve beyond the first failure lends no capacity: iterations that it may take, how much longer its steps
@@ -73,12 +74,14 @@ class Trial(NamedTuple):
 
 class Way(NamedTuple):
     """How far the load has come: its factor and the largest so far, the length of the last step (zero after a
-    change of what drives), the `demands`, which of them have been met, and the iterations allowed."""
+    change of what drives), the `demands` now and before that step, which of them have been met, and the
+    iterations allowed."""
 
     factor: float
     most: float
     taken: float
     used: tuple
+    earlier: tuple
     met: tuple
     allowed: int
 
@@ -89,7 +92,7 @@ def follow(case, stage, fixed, pattern, control, bonded):
     load = Load(fixed, pattern, bonded)
     deflect = Drive(control.dof, -1, control.sense)
     used, _ = demands(case, case.state.u)
-    way = Way(0.0, 0.0, 0.0, used, met(used), case.tolerance.budget)
+    way = Way(0.0, 0.0, 0.0, used, used, met(used), case.tolerance.budget)
     step = control.first
     while case.history.rows[0] < case.history.stage.size:
         left = control.limit - deflection(case, control)
@@ -97,7 +100,7 @@ def follow(case, stage, fixed, pattern, control, bonded):
             return DONE
         if case.work.spent[0] >= way.allowed:
             return NO_BUDGET
-        trial = approach(case, load, deflect, min(step, left), way)
+        trial = approach(case, load, deflect, foreseen(way, min(step, left)), way)
         if not trial.converged:
             trial = jump(case, load, deflect, step, control, left, way)
         if trial.converged:
@@ -129,6 +132,17 @@ def deflection(case, control):
 @kernel
 def next_step(trial):
     return trial.step * (1.5 if trial.iterations <= EASY else 1.1 if trial.iterations <= HARD else 0.7)
+
+
+@kernel
+def foreseen(way, step):
+    """A step, shortened to end where the first demand is met if all goes on as in the last step."""
+    if way.taken > 0.0:
+        for i in range(3):
+            pace = (way.used[i] - way.earlier[i]) / way.taken
+            if not way.met[i] and way.used[i] + step * pace > OVERSHOOT:
+                step = max((AIM - way.used[i]) / pace, LEAST * step)
+    return step
 
 
 @inlined
@@ -221,7 +235,7 @@ def take(case, stage, load, drive, trial, way):
     if so_far[LIMIT] and not way.met[LIMIT]:
         allowed = min(allowed, case.work.spent[0] + AFTER_FAILURE)
     most = max(way.most, trial.factor)
-    return trial, Way(trial.factor, most, trial.step, trial.demand, so_far, allowed)
+    return trial, Way(trial.factor, most, trial.step, trial.demand, way.used, so_far, allowed)
 
 
 @inlined
@@ -229,7 +243,7 @@ def turn_hinge(case, stage, load, control, way):
     """Let the element that turns fastest drive the load until the deflection grows beyond where it was."""
     furthest = deflection(case, control)
     drive, step = fastest(case)
-    way = Way(way.factor, way.most, 0.0, way.used, way.met, way.allowed)
+    way = Way(way.factor, way.most, 0.0, way.used, way.used, way.met, way.allowed)
     trial = Trial(0.0, False, False, way.factor, 0, 0.0, way.used, False)
     for _ in range(HINGE_STEPS):
         if case.history.rows[0] >= case.history.stage.size or case.work.spent[0] >= way.allowed:
@@ -247,8 +261,8 @@ def turn_hinge(case, stage, load, control, way):
         turning, turned = fastest(case)
         if turning.dof != drive.dof:
             drive, step = turning, turned
-            way = Way(way.factor, way.most, 0.0, way.used, way.met, way.allowed)
-    return trial, Way(way.factor, way.most, 0.0, way.used, way.met, way.allowed)
+            way = Way(way.factor, way.most, 0.0, way.used, way.used, way.met, way.allowed)
+    return trial, Way(way.factor, way.most, 0.0, way.used, way.used, way.met, way.allowed)
 
 
 @kernel
