@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from time import perf_counter
 
+import numpy as np
+
 from benchmarks.table import Table
 from ptbatch.analysis import Run, analyse, jacking_stress, prepare, serve, stress
 from ptbatch.member import Member
@@ -42,7 +44,7 @@ def stressed(member: Member) -> Run:
     return run
 
 
-def timed(member: Member, refine: int = 1, repeats: int = REPEATS) -> Timed:
+def timed(member: Member, refine: float = 1.0, repeats: int = REPEATS) -> Timed:
     """The least time of several analyses."""
     runs = [_once(member, refine) for _ in range(repeats)]
     whole = min(_seconds(lambda: analyse(member, refine=refine)) for _ in range(repeats))
@@ -57,7 +59,7 @@ def _seconds(work: Callable[[], object]) -> float:
     return perf_counter() - start
 
 
-def _once(member: Member, refine: int) -> Timed:
+def _once(member: Member, refine: float) -> Timed:
     setup = set_up(member)
     run = prepare(setup, jacking_stress(setup))
     case = run.rig.case
@@ -67,11 +69,11 @@ def _once(member: Member, refine: int) -> Timed:
     return Timed((used, stressing), (int(case.work.spent[0]) - used, serving), 0.0, int(case.history.rows[0]))
 
 
-def finer(member: Member) -> int:
-    """The division of the live steps that records as many points as the reference."""
-    for refine in range(1, 9):
+def finer(member: Member) -> float:
+    """The division of the live steps that records as many points as the reference, and hardly more."""
+    for refine in np.arange(1.0, 8.0, 0.05):
         if _once(member, refine).points >= POINTS:
-            return refine
+            return float(refine)
     raise RuntimeError(f"{member.member}: fewer than {POINTS} points")
 
 
@@ -83,11 +85,11 @@ def stage_table(members: dict[str, Member], repeats: int = REPEATS) -> Table:
         + ["ms iterating", "ms in all"],
     )
     for name, member in members.items():
-        refines = [1, finer(member)] if name == "15 m beam" else [1]
+        refines = [1.0, finer(member)] if name == "15 m beam" else [1.0]
         for refine in refines:
             t = timed(member, refine, repeats)
             (a, first), (b, second) = t.stressing, t.serving
-            label = name if refine == 1 else f"{name}, {t.points} points"
+            label = name if refine == 1.0 else f"{name}, {t.points} points"
             table.add(
                 label, t.points, t.iterations, a, 1e6 * first / a, b, 1e6 * second / b,
                 1e3 * t.iterating, 1e3 * t.whole,

@@ -22,7 +22,7 @@ FPE_TOLERANCE = 1e-6
 BUDGET = 30_000  # iterations of one member at most
 
 
-def analyse(member: Member, *, refine: int = 1) -> Response:
+def analyse(member: Member, *, refine: float = 1.0) -> Response:
     """Analyse a member through all its stages.
 
     refine: divide the steps of the live load by this. A member that does not converge raises nothing: see
@@ -102,7 +102,7 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
     return run
 
 
-def serve(run: Run, refine: int, loss: TimeLoss | None = None) -> int:
+def serve(run: Run, refine: float, loss: TimeLoss | None = None) -> int:
     """Sustained load, long-term losses if anything is known of them, live load; how it ended. Where a
     material is past its limit strain before the live load the member has failed: what lies beyond need not be
     found, and it gets no live load."""

@@ -17,7 +17,6 @@ _UP_TO = 0.5 * legval(_ALONG, legint(_SERIES, lbnd=-1)).T
 _AT_EDGES = legvander(np.array([-1.0, 1.0]), _COUNT - 1) @ _SERIES
 
 
-
 def running_integral(integrand: Array, end: Side = "left") -> Array:
     """Integral of an integrand (pieces, points), times the length of its piece, from an end up to each of the
     points."""
