@@ -48,7 +48,9 @@ def _raise_to(worst: Array, recorded: Recorded, steps: slice) -> None:
 def _stretches(cracked: NDArray[np.bool_], model: Model, thickness: Array) -> Iterator[Crack]:
     """Runs of cracked layers, along the member and then downwards."""
     edges = np.append(0.0, np.cumsum(thickness))
-    change = np.diff(np.pad(cracked.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    framed = np.zeros((len(cracked), cracked.shape[1] + 2), np.int8)
+    framed[:, 1:-1] = cracked
+    change = np.diff(framed, axis=1)
     section, first = np.nonzero(change > 0)
     _, after = np.nonzero(change < 0)
     columns = gauss_places(model.x).ravel()[section], edges[first], edges[after]

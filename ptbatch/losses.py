@@ -260,8 +260,8 @@ def _live_ends(jack: str) -> tuple[End, ...]:
 
 @dataclass(frozen=True)
 class Zone:
-    """The area condition b * level = a of a reversed curve that runs from an end to x, and the curves at x; of
-    any shape, that of x."""
+    """The area condition b * level = a of a reversed curve that runs from an end to x, and the curves at x,
+    all of the shape of x."""
 
     a: Array
     b: Array

@@ -35,13 +35,13 @@ class Frozen(NamedTuple):
 
 
 FROZEN = {
-    "15 m beam": Frozen(2038, 1267.678, 403.51043, 8e-04),
-    "60 elements": Frozen(7239, 1267.6875, 400.4867, 2e-03),
-    "bonded": Frozen(1315, 1267.678, 446.20128, 6e-04),
-    "two jacks": Frozen(1400, 1218.5507, 397.17824, 2e-10),
-    "two spans": Frozen(1850, 1252.0509, 1176.2958, 2e-11),
-    "four spans, no bars": Frozen(5970, 1178.7197, 2733.2845, 6e-05),
-    "slab strip": Frozen(2270, 1229.1867, 73.762796, 2e-03),
+    "15 m beam": Frozen(1982, 1267.678, 403.51684, 2e-03),
+    "60 elements": Frozen(6790, 1267.6875, 400.48255, 2e-03),
+    "bonded": Frozen(1781, 1267.678, 446.20612, 6e-04),
+    "two jacks": Frozen(1160, 1218.5507, 397.19507, 2e-10),
+    "two spans": Frozen(1897, 1252.051, 1176.2965, 4e-05),
+    "four spans, no bars": Frozen(6348, 1178.7197, 2733.2845, 6e-05),
+    "slab strip": Frozen(1799, 1229.1867, 73.757622, 2e-03),
 }
 
 

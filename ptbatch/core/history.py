@@ -33,12 +33,11 @@ class History(NamedTuple):
         last = int(self.rows[0]) - 1
         if last <= first:
             return
-        iterations, residual = self.iterations[first:].sum(), self.residual[first:].max()
+        joined = slice(first, last + 1)
+        iterations, residual = self.iterations[joined].sum(), self.residual[joined].max()
         for column in self[1:]:
             column[first] = column[last]
         self.iterations[first], self.residual[first] = iterations, residual
-        for column in self[1:]:
-            column[first + 1 : last + 1] = 0
         self.rows[0] = first + 1
 
 
@@ -50,16 +49,16 @@ def new_history(rows: int, n: int) -> History:
     ndof = 5 * n + 7
     return History(
         np.zeros(1, np.int64),
-        np.zeros(rows, np.int64),
-        np.zeros(rows),
-        np.zeros(rows, np.int64),
-        np.zeros(rows),
-        np.zeros((rows, ndof)),
-        np.zeros((rows, ndof)),
-        np.zeros((rows, n + 1)),
-        np.zeros((rows, n + 2)),
-        np.zeros((rows, 2)),
-        np.zeros(rows),
+        np.empty(rows, np.int64),
+        np.empty(rows),
+        np.empty(rows, np.int64),
+        np.empty(rows),
+        np.empty((rows, ndof)),
+        np.empty((rows, ndof)),
+        np.empty((rows, n + 1)),
+        np.empty((rows, n + 2)),
+        np.empty((rows, 2)),
+        np.empty(rows),
     )
 
 

@@ -15,9 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Side = Literal["left", "right"]
 
-PLACES = 2001  # of the table from arc length to place
+PLACES = 401  # of the table from arc length to place
 KINK = 1e-9  # rad; a smaller change of direction is round-off
 GAUSS_POINTS, GAUSS_WEIGHTS = (leggauss(20) + np.array([[1.0], [0.0]])) / 2.0  # on (0, 1)
+FEW_POINTS, FEW_WEIGHTS = (leggauss(8) + np.array([[1.0], [0.0]])) / 2.0
+LITTLE = 0.5  # change of slope along a piece up to which few points are exact
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,9 +112,16 @@ class Profile:
         return self.coefficients[piece, 1] + 2.0 * self.coefficients[piece, 2] * t
 
     def _piece_length(self, piece: NDArray[np.intp], t: Array) -> Array:
-        """Arc length of the first t of each piece; 20 points are exact to round-off on so smooth a curve."""
-        slopes = self._slope(piece[..., None], t[..., None] * GAUSS_POINTS)
-        return t * (np.hypot(1.0, slopes) @ GAUSS_WEIGHTS)
+        """Arc length of the first t of each piece, exact to round-off on so smooth a curve."""
+        points, weights = self._rule
+        slopes = self._slope(piece[..., None], t[..., None] * points)
+        return t * (np.hypot(1.0, slopes) @ weights)
+
+    @cached_property
+    def _rule(self) -> tuple[Array, Array]:
+        """Points and weights of the Gauss rule for arc lengths: few will do where no piece turns far."""
+        turns = 2.0 * np.abs(self.coefficients[:, 2] * np.diff(self.breaks))
+        return (FEW_POINTS, FEW_WEIGHTS) if turns.max() < LITTLE else (GAUSS_POINTS, GAUSS_WEIGHTS)
 
     @cached_property
     def _directions(self) -> tuple[Array, Array]:

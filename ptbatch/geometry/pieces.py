@@ -1,5 +1,5 @@
-"""Functions that are smooth within each of several pieces, by their values at the Gauss points there: what they
-sum up to, and where they rise above zero. Within a piece they are taken as the polynomial of these values.
+"""Functions that are smooth within each of several pieces, by their values at the Gauss points there: their
+integrals, and where they rise above zero. Within a piece each is the polynomial through these values.
 """
 
 import numpy as np
@@ -26,8 +26,8 @@ def running_integral(integrand: Array, end: Side = "left") -> Array:
 
 
 def first_rise(edges: Array, values: Array, within: float, end: Side = "left") -> float | None:
-    """The place nearest to an end where a function, negative there, becomes positive, found to `within` of a
-    piece; None if it does not. edges: (pieces + 1,), where the function may jump; values: (pieces, points)."""
+    """The place nearest to an end where a function, negative there, becomes positive, to `within` of a piece;
+    None if it does not. edges: (pieces + 1,), where the function may jump; values: (pieces, points)."""
     if end == "right":
         place = first_rise(-edges[::-1], _seen_from(end, values), within)
         return None if place is None else -place

@@ -4,13 +4,18 @@ x runs to the right from the left end and depth is measured downwards from the t
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import accumulate
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
 from ptbatch.geometry.curve import Profile
 from ptbatch.geometry.wobble import wavy_profile
+
+DRAWN = ("span", "profile", "dp", "profile_points", "inflection", "harp")  # what an ideal profile depends on
+KEPT = 256  # more members than are read ahead of their analysis
 
 
 def tendon_profile(member: Any) -> Profile:
@@ -31,12 +36,19 @@ def tendon_profile(member: Any) -> Profile:
 def ideal_profile(member: Any) -> Profile:
     """Profile as it is drawn, without wobble: the one that eq. (38) is applied to.
 
-    member: anything with span, profile, dp, harp, inflection and profile_points as in the workbook, in mm;
-    points, where there are any, take the place of the named shape. Between two breaks the tendon only rises
-    or only falls, so that `depth(breaks)` holds its extreme depths. Raises ValueError if the shape is
-    unknown, the number of depths does not fit the spans, or the points do not run from one end of the member
-    to the other.
+    member: anything with what its shape asks for of span, profile, dp, harp, inflection and profile_points as
+    in the workbook, in mm; points, where there are any, take the place of the named shape. Between two breaks
+    the tendon only rises or only falls, so that `depth(breaks)` holds its extreme depths. The last ones are
+    kept: a row is examined with its profile, and soon afterwards analysed.
+    Raises ValueError if the shape is unknown, the number of depths does not fit the spans, or the points do
+    not run from one end of the member to the other.
     """
+    return _ideal(tuple(getattr(member, name, None) for name in DRAWN))
+
+
+@lru_cache(KEPT)
+def _ideal(drawn: tuple[Any, ...]) -> Profile:
+    member = SimpleNamespace(**dict(zip(DRAWN, drawn, strict=True)))
     if member.profile_points:
         return _through_points(member)
     if member.profile not in _SHAPES:

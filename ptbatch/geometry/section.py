@@ -1,6 +1,8 @@
 """Gross concrete section: a stack of rectangles, cut into layers for the fibre beam element."""
 
 from dataclasses import dataclass
+from functools import lru_cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -8,6 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+MEASURES = ("shape", "b", "h", "bw", "hf", "b_bottom", "hf_bottom", "layers")
 SHAPES = ("rectangle", "tee", "i", "box")
 
 
@@ -34,9 +37,15 @@ def gross_section(member: Any) -> Section:
     member: anything with shape, b, h, bw, hf, b_bottom, hf_bottom and layers as in the workbook, in mm. A tee
     has its flange on top; a box is an i whose bw is the sum of its webs. b_bottom and hf_bottom default to b
     and hf. The layers are shared out in proportion to height, at least two to each part, and end at the edges
-    of the flanges.
+    of the flanges. The last ones are kept.
     Raises ValueError if the shape is unknown or a part has no width or height.
     """
+    return _section(tuple(getattr(member, name) for name in MEASURES))
+
+
+@lru_cache(256)
+def _section(measures: tuple[Any, ...]) -> Section:
+    member = SimpleNamespace(**dict(zip(MEASURES, measures, strict=True)))
     width, height = _parts(member)
     top = np.cumsum(height) - height
     area, middle = width * height, top + height / 2.0

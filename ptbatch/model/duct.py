@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptbatch.core.contact import shape
-from ptbatch.geometry.curve import GAUSS_POINTS, GAUSS_WEIGHTS, Profile
+from ptbatch.geometry.curve import FEW_POINTS, FEW_WEIGHTS, Profile
 from ptbatch.losses import Losses
 
 Array = NDArray[np.float64]
@@ -78,8 +78,8 @@ def turning_tables(profile: Profile, line: Duct) -> tuple[Array, Array, Array]:
     at = at[np.append(True, np.diff(at) > near)]
     right, left = np.minimum(at + near, at[-1]), np.maximum(at - near, at[0])
     width = np.diff(at)[:, None]
-    inside = at[:-1, None] + width * GAUSS_POINTS
-    ds = width * np.hypot(1.0, profile.slope(inside)) * GAUSS_WEIGHTS
+    inside = at[:-1, None] + width * FEW_POINTS
+    ds = width * np.hypot(1.0, profile.slope(inside)) * FEW_WEIGHTS
 
     def table(integrand: Callable[[Array], Array]) -> Array:
         integral = np.cumsum((integrand(inside) * ds).sum(axis=1))
