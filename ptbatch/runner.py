@@ -5,26 +5,13 @@ in the same order. Threads of this process are one, a cluster may be another.
 """
 
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from threading import Event
 from time import perf_counter
-from typing import Any
 
 from ptbatch.member import Member
-from ptbatch.workbook.results import (
-    CHECKS,
-    CRACKS,
-    CURVES,
-    ELONGATION,
-    LOSSES,
-    MOMENTS,
-    NOT_ANALYSED,
-    REACTIONS,
-    SUMMARY,
-    TENDON,
-    Outcome,
-)
+from ptbatch.workbook.results import DETAILS, NOT_ANALYSED, SUMMARY, Columns, Outcome
 
 Outcomes = Callable[[Iterable[Member]], Iterator[Outcome]]
 AHEAD = 32  # members taken in advance, a worker: a slow one shall not let the others wait
@@ -80,15 +67,15 @@ def engine() -> Callable[[Member], Outcome]:
     from ptbatch.analysis import analyse
     from ptbatch.design.checks import checks, subject
     from ptbatch.tables import (
-        check_rows,
-        crack_rows,
-        curve_rows,
-        elongation_rows,
-        loss_rows,
-        moment_rows,
-        reaction_rows,
+        check_table,
+        crack_table,
+        curve_table,
+        elongation_table,
+        loss_table,
+        moment_table,
+        reaction_table,
         summary_row,
-        tendon_rows,
+        tendon_table,
     )
 
     def run(member: Member) -> Outcome:
@@ -99,18 +86,21 @@ def engine() -> Callable[[Member], Outcome]:
             about = subject(member, response)
             found = checks(about)
             summary = {"time [ms]": time} | summary_row(member, response, found)
+            tables = {
+                "tendon": tendon_table(member, response),
+                "curves": curve_table(member, response),
+                "cracks": crack_table(member, response),
+                "checks": check_table(found),
+                "elongation": elongation_table(member, response),
+                "losses": loss_table(response),
+                "moments": moment_table(about),
+                "reactions": reaction_table(about),
+            }
             return Outcome(
                 response.status,
                 response.message,
                 {header: summary[header] for header in SUMMARY},
-                [_checked(row, TENDON) for row in tendon_rows(member, response)],
-                [_checked(row, CURVES) for row in curve_rows(member, response)],
-                [_checked(row, CRACKS) for row in crack_rows(member, response)],
-                [_checked(row, CHECKS) for row in check_rows(member, found)],
-                [_checked(row, ELONGATION) for row in elongation_rows(member, response)],
-                [_checked(row, LOSSES) for row in loss_rows(member, response)],
-                [_checked(row, MOMENTS) for row in moment_rows(about)],
-                [_checked(row, REACTIONS) for row in reaction_rows(about)],
+                **{name: _checked(table, DETAILS[name][1:]) for name, table in tables.items()},
             )
         except Exception as error:
             return _crashed(error)
@@ -123,8 +113,13 @@ def not_analysed(why: str, status: str = NOT_ANALYSED, message: str = "") -> Out
     return Outcome(status, message or why, dict.fromkeys(SUMMARY, why))
 
 
-def _checked(row: Mapping[str, Any], headers: Sequence[str]) -> dict[str, Any]:
-    return {header: row[header] for header in headers if header != "member"}
+def _checked(table: Columns, headers: Sequence[str]) -> Columns:
+    """A table with its columns in order, all of one length."""
+    if not table:
+        return {}
+    columns = {header: table[header] for header in headers}
+    assert len({len(values) for values in columns.values()}) == 1
+    return columns
 
 
 def _crashed(error: Exception) -> Outcome:

@@ -1,6 +1,6 @@
-"""Rows of the result sheets from a Response. A value that does not exist is a text that says why."""
+"""The tables of the results from a Response. A value that does not exist is a text that says why."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -11,8 +11,8 @@ from ptbatch.design.subject import Subject
 from ptbatch.design.time_losses import takes_time
 from ptbatch.member import Member
 from ptbatch.prestress_losses import losses_by_cause
-from ptbatch.response import ANCHORED, JACKED, PEAK, SERVICE, SET, STAGES, Event, Response, TendonState
-from ptbatch.workbook.results import MOMENTS
+from ptbatch.response import ANCHORED, END, JACKED, PEAK, SERVICE, SET, STAGES, Event, Response, TendonState
+from ptbatch.workbook.results import TENDON, Columns
 
 Value = float | str
 Row = dict[str, Value]
@@ -165,135 +165,140 @@ def _loss_fixed_end(member: Member, response: Response) -> Value:
     return 100.0 * (1.0 - far / jacked)
 
 
-def tendon_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `tendon`: one an anchor and one a tendon element, for each stage."""
+def tendon_table(member: Member, response: Response) -> Columns:
+    """`tendon`: one row an anchor and one a tendon element, for each stage."""
     losses, end = response.losses, member.total_length
     analytic = {JACKED: losses.stress_jacked, SET: losses.stress_anchored, ANCHORED: losses.stress_anchored}
+    table: dict[str, list[Value]] = {header: [] for header in TENDON[1:]}
     for stage in STAGES:
         state = response.tendon.get(stage)
         if state is None:
             continue
         x = np.concatenate([[0.0], state.x, [end]])
-        stress = np.concatenate([state.anchor_stress[:1], state.stress, state.anchor_stress[1:]])
-        slip = np.concatenate([state.end_slip[:1], state.slip, state.end_slip[1:]])
-        curve = analytic[stage](x) if stage in analytic else None
-        for i in range(len(x)):
-            yield {
-                "member": member.member,
-                "stage": stage,
-                "x [mm]": float(x[i]),
-                "stress_fe [MPa]": float(stress[i]),
-                "stress_analytic [MPa]": "" if curve is None else float(curve[i]),
-                "slip [mm]": float(slip[i]),
-            }
+        parts = {
+            "stage": [stage] * len(x),
+            "x [mm]": x.tolist(),
+            "stress_fe [MPa]": [state.anchor_stress[0], *state.stress.tolist(), state.anchor_stress[1]],
+            "stress_analytic [MPa]": analytic[stage](x).tolist() if stage in analytic else [""] * len(x),
+            "slip [mm]": [state.end_slip[0], *state.slip.tolist(), state.end_slip[1]],
+        }
+        for header, values in parts.items():
+            table[header] += values
+    return table
 
 
-def curve_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `curves`: one a recorded step from the anchored state on, with what happened by then."""
+def curve_table(member: Member, response: Response) -> Columns:
+    """`curves`: one row a recorded step from the anchored state on, with what happened by then."""
     curve = response.curve
     if curve is None:
-        return
-    for i in range(len(curve.load)):
-        events = [event.name for event in response.events if int(np.ceil(event.step)) == i]
-        yield {
-            "member": member.member,
-            "step": i,
-            "load_factor": float(curve.factor[i]),
-            "load [kN]": float(curve.load[i]) / 1e3,
-            "deflection [mm]": float(curve.deflection[i]),
-            "moment_max [kN m]": float(curve.moment_max[i]) / 1e6,
-            "tendon_stress_min [MPa]": float(curve.stress_min[i]),
-            "tendon_stress_mean [MPa]": float(curve.stress_mean[i]),
-            "tendon_stress_max [MPa]": float(curve.stress_max[i]),
-            "event": ", ".join(events),
-        }
+        return {}
+    events = [""] * len(curve.load)
+    for event in response.events:
+        step = int(np.ceil(event.step))
+        events[step] = f"{events[step]}, {event.name}" if events[step] else event.name
+    return {
+        "step": list(range(len(events))),
+        "load_factor": curve.factor.tolist(),
+        "load [kN]": (curve.load / 1e3).tolist(),
+        "deflection [mm]": curve.deflection.tolist(),
+        "moment_max [kN m]": (curve.moment_max / 1e6).tolist(),
+        "tendon_stress_min [MPa]": curve.stress_min.tolist(),
+        "tendon_stress_mean [MPa]": curve.stress_mean.tolist(),
+        "tendon_stress_max [MPa]": curve.stress_max.tolist(),
+        "event": events,
+    }
 
 
-def crack_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `cracks`: one a cracked stretch of a section, at each stage that was looked at."""
+def crack_table(member: Member, response: Response) -> Columns:
+    """`cracks`: one row a cracked stretch of a section, at each stage that was looked at."""
     curve, peak = response.curve, response.event("peak")
-    for stage, cracks in response.cracks.items():
-        assert curve is not None  # cracks are told of members that reached the live load
-        step = {ANCHORED: 0, PEAK: round(peak.step) if peak else 0}.get(stage, len(curve.load) - 1)
-        for crack in cracks:
-            yield {
-                "member": member.member,
-                "stage": stage,
-                "step": step,
-                "x [mm]": crack.x,
-                "crack_from [mm]": crack.top,
-                "crack_to [mm]": crack.bottom,
-            }
+    if curve is None:
+        return {}
+    steps = {ANCHORED: 0, PEAK: round(peak.step) if peak else 0, END: len(curve.load) - 1}
+    found = [(stage, crack) for stage, cracks in response.cracks.items() for crack in cracks]
+    return {
+        "stage": [stage for stage, _ in found],
+        "step": [steps[stage] for stage, _ in found],
+        "x [mm]": [crack.x for _, crack in found],
+        "crack_from [mm]": [crack.top for _, crack in found],
+        "crack_to [mm]": [crack.bottom for _, crack in found],
+    }
 
 
-def check_rows(member: Member, found: Iterable[Check]) -> Iterator[Row]:
-    """Rows of `checks`: one a check, in the order of construction."""
-    for check in found:
-        yield {
-            "member": member.member,
-            "check": check.name,
-            "clause": check.clause,
-            "x [mm]": "all of it" if check.x is None else check.x,
-            "formula": check.formula,
-            "numbers": check.numbers,
-            "demand": check.demand if np.isfinite(check.demand) else "see reason",
-            "limit": check.limit if np.isfinite(check.limit) else "none",
-            "unit": check.unit,
-            "utilisation": _used(check),
-            "outcome": check.outcome,
-            "reason": check.reason,
-        }
+def check_table(found: Iterable[Check]) -> Columns:
+    """`checks`: one row a check, in the order of construction."""
+    found = list(found)
+    return {
+        "check": [check.name for check in found],
+        "clause": [check.clause for check in found],
+        "x [mm]": ["all of it" if check.x is None else check.x for check in found],
+        "formula": [check.formula for check in found],
+        "numbers": [check.numbers for check in found],
+        "demand": [check.demand if np.isfinite(check.demand) else "see reason" for check in found],
+        "limit": [check.limit if np.isfinite(check.limit) else "none" for check in found],
+        "unit": [check.unit for check in found],
+        "utilisation": [_used(check) for check in found],
+        "outcome": [check.outcome for check in found],
+        "reason": [check.reason for check in found],
+    }
 
 
-def elongation_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `elongation`: one a live end."""
-    for one in elongations(member, response):
-        yield {
-            "member": member.member,
-            "end": one.end,
-            "jack_force [kN]": one.jack_force / 1e3,
-            "before_set [mm]": one.before,
-            "after_set [mm]": one.after,
-            "least [mm]": one.least,
-            "most [mm]": one.most,
-            "to_read": one.rounded,
-            "warning": one.warning,
-        }
+def elongation_table(member: Member, response: Response) -> Columns:
+    """`elongation`: one row a live end."""
+    found = elongations(member, response)
+    return {
+        "end": [one.end for one in found],
+        "jack_force [kN]": [one.jack_force / 1e3 for one in found],
+        "before_set [mm]": [one.before for one in found],
+        "after_set [mm]": [one.after for one in found],
+        "least [mm]": [one.least for one in found],
+        "most [mm]": [one.most for one in found],
+        "to_read": [one.rounded for one in found],
+        "warning": [one.warning for one in found],
+    }
 
 
-def loss_rows(member: Member, response: Response) -> Iterator[Row]:
-    """Rows of `losses`: one a cause."""
-    for one in losses_by_cause(response):
-        yield {
-            "member": member.member,
-            "cause": one.cause,
-            "source": one.source,
-            "loss [MPa]": one.loss,
-            "share [%]": 100.0 * one.loss / response.fpj,
-            "stress_after [MPa]": one.left,
-        }
+def loss_table(response: Response) -> Columns:
+    """`losses`: one row a cause."""
+    found = list(losses_by_cause(response))
+    return {
+        "cause": [one.cause for one in found],
+        "source": [one.source for one in found],
+        "loss [MPa]": [one.loss for one in found],
+        "share [%]": [100.0 * one.loss / response.fpj for one in found],
+        "stress_after [MPa]": [one.left for one in found],
+    }
 
 
-def moment_rows(about: Subject | None) -> Iterator[Row]:
-    """Rows of `moments`: one a place, if there is something to check."""
+def moment_table(about: Subject | None) -> Columns:
+    """`moments`: one row a place, if there is something to check."""
     if about is None:
-        return
-    member, moments = about.member, about.moments
-    names = ("weight", "dead", "live", "live_most", "live_least", "primary", "secondary")
-    headers = [header for header in MOMENTS if header.endswith("[kN m]")]
-    for i in moments.told:
-        service = moments.dead[i] + moments.live[i] + moments.secondary[i]
-        values = (*(getattr(moments, name)[i] for name in names), service)
-        told = {header: float(value) / 1e6 for header, value in zip(headers, values, strict=True)}
-        yield {"member": member.member, "x [mm]": float(moments.x[i]), **told}
+        return {}
+    moments, told = about.moments, about.moments.told
+    columns = {
+        "self_weight [kN m]": moments.weight,
+        "dead [kN m]": moments.dead,
+        "live [kN m]": moments.live,
+        "live_max [kN m]": moments.live_most,
+        "live_min [kN m]": moments.live_least,
+        "primary [kN m]": moments.primary,
+        "secondary [kN m]": moments.secondary,
+        "service [kN m]": moments.dead + moments.live + moments.secondary,
+    }
+    in_knm = {header: (values[told] / 1e6).tolist() for header, values in columns.items()}
+    return {"x [mm]": moments.x[told].tolist(), **in_knm}
 
 
-def reaction_rows(about: Subject | None) -> Iterator[Row]:
-    """Rows of `reactions`: one a support, if there is something to check."""
+def reaction_table(about: Subject | None) -> Columns:
+    """`reactions`: one row a support, if there is something to check."""
     if about is None:
-        return
-    member, found = about.member, about.reactions
-    for i, (x, kind) in enumerate(zip(member.support_x, member.supports, strict=True)):
-        if kind != "free":
-            places: Row = {"member": member.member, "support": i + 1, "x [mm]": x}
-            yield places | {f"{name} [kN]": float(values[i]) / 1e3 for name, values in found.items()}
+        return {}
+    member = about.member
+    held = [i for i, kind in enumerate(member.supports) if kind != "free"]
+    return {
+        "support": [i + 1 for i in held],
+        "x [mm]": [member.support_x[i] for i in held],
+        **{
+            f"{name} [kN]": [float(values[i]) / 1e3 for i in held] for name, values in about.reactions.items()
+        },
+    }

@@ -66,11 +66,13 @@ def engine(monkeypatch):
         "analysis": {"analyse": analyse},
         "tables": {
             "summary_row": summary_row,
-            "tendon_rows": lambda member, response: [dict.fromkeys(TENDON, 1.0) | {"stage": "jacked"}],
-            "check_rows": lambda member, found: [],
-            **{f"{name}_rows": lambda *_: [] for name in ("elongation", "loss", "moment", "reaction")},
-            "crack_rows": lambda member, response: [dict.fromkeys(CRACKS, 3.0) | {"stage": "peak"}],
-            "curve_rows": lambda member, response: [dict.fromkeys(CURVES, 2.0) | {"event": "peak"}] * 2,
+            "tendon_table": lambda *_: dict.fromkeys(TENDON, [1.0]) | {"stage": ["jacked"]},
+            **{
+                f"{name}_table": lambda *_: {}
+                for name in ("check", "elongation", "loss", "moment", "reaction")
+            },
+            "crack_table": lambda *_: dict.fromkeys(CRACKS, [3.0]) | {"stage": ["peak"]},
+            "curve_table": lambda *_: dict.fromkeys(CURVES, [2.0] * 2) | {"event": ["peak"] * 2},
         },
     }
     for name, content in fakes.items():

@@ -15,8 +15,8 @@ def analyse(member):
         log.write(f"{member.member}\n")
     sleep(SECONDS)
     value = member.fc / 3.0
-    curves = [dict.fromkeys(CURVES[1:-1], value) | {"event": "peak"}]
-    return Outcome("ok", "", dict.fromkeys(SUMMARY, value), (), curves)
+    curves = dict.fromkeys(CURVES[1:-1], [value]) | {"event": ["peak"]}
+    return Outcome("ok", "", dict.fromkeys(SUMMARY, value), {}, curves)
 
 
 if __name__ == "__main__":

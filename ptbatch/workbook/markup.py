@@ -19,7 +19,7 @@ TEXTS = 256  # of a column that are kept: most come again and again
 
 
 class Markup(str):
-    """A row element of a sheet."""
+    """Row elements of a sheet."""
 
 
 class Styles:
@@ -71,29 +71,41 @@ def in_row(value: Any, row: int) -> Any:
     return value._replace(text=value.text.format(row=row)) if isinstance(value, Formula) else value
 
 
-def row_markup(values: Sequence[Any], columns: Sequence[Styles], row: int) -> Markup | None:
-    """A row of cells, one below each header; None where a value is nothing for Markup."""
+def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], first: int) -> Markup | None:
+    """Rows of cells from the row `first` on, column by column; None where a value is nothing for Markup."""
     cells = []
-    for column, value in zip(columns, values, strict=True):
-        if type(value) is float and -inf < value < inf:  # nearly all of them
-            cells.append(f"{column.start}{row}{column.fraction}{value!r}</v></c>")
-            continue
-        cell = column.cell(value, row)
-        if cell is None:
+    rows = range(first, first + len(columns[0]))
+    for values, style in zip(columns, styles, strict=True):
+        start, fraction, cell = style.start, style.fraction, style.cell
+        column = [
+            f"{start}{row}{fraction}{value!r}</v></c>"
+            if type(value) is float and -inf < value < inf  # nearly all of them
+            else cell(value, row)
+            for row, value in zip(rows, values, strict=True)
+        ]
+        if None in column:
             return None
-        cells.append(cell)
-    return Markup(f'<row r="{row}">{"".join(cells)}</row>')
+        cells.append(column)
+    lines = zip(rows, map("".join, zip(*cells, strict=True)), strict=True)
+    return Markup("".join(f'<row r="{row}">{line}</row>' for row, line in lines))
 
 
-def takes_markup(sheet: Any) -> bool:
-    """Have a write-only sheet, whose first row is written, take rows of Markup; whether it does."""
+class RowNumber:
+    """Number of the row that is written next."""
+
+    next = 2
+
+
+def takes_markup(sheet: Any, number: RowNumber) -> bool:
+    """Have a write-only sheet, whose first row is written, take rows of Markup, many at once, and give others
+    their number; whether it does."""
     writer: Any = getattr(sheet, "_writer", None)
     as_cells, write = getattr(sheet, "_values_to_row", None), getattr(writer, "write_row", None)
     if as_cells is None or write is None or not _plain_stream():
         return False
-    sheet._values_to_row = lambda row, number: row[0] if _finished(row) else as_cells(row, number)
-    writer.write_row = lambda stream, row, number: (
-        stream._file(row) if isinstance(row, Markup) else write(stream, row, number)
+    sheet._values_to_row = lambda row, _: row[0] if _finished(row) else as_cells(row, number.next)
+    writer.write_row = lambda stream, row, _: (
+        stream._file(row) if isinstance(row, Markup) else write(stream, row, number.next)
     )
     return True
 

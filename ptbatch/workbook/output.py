@@ -1,7 +1,7 @@
 """The tables of a run, filled row by row: sheets of a workbook, the long ones Parquet files if there are many
 rows."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import Any, Protocol
@@ -16,9 +16,9 @@ from ptbatch.workbook.page import FullSheetError, Page
 from ptbatch.workbook.parquet import ParquetTable
 from ptbatch.workbook.places import Places
 from ptbatch.workbook.problems import Listed, Problem
-from ptbatch.workbook.results import DETAILS, ELONGATION, PROBLEMS, Outcome, detail_lines, summary_headers
+from ptbatch.workbook.results import DETAILS, PROBLEMS, Outcome, named, rows_in, summary_headers
 from ptbatch.workbook.rows import Row
-from ptbatch.workbook.site import SHEET, site_headers, site_line
+from ptbatch.workbook.site import SHEET, site_columns, site_headers
 from ptbatch.workbook.status import coloured
 from ptbatch.workbook.systems import headers_in
 from ptbatch.workbook.viewer import write_viewer
@@ -31,10 +31,10 @@ CURE = "let --parquet FOLDER take the long tables; with --resume nothing is anal
 
 
 class Table(Protocol):
-    """A sheet or a file that takes lines."""
+    """A sheet or a file that takes rows."""
 
-    def add(self, values: Sequence[Any]) -> None:
-        """Add a line."""
+    def extend(self, columns: Sequence[Sequence[Any]]) -> None:
+        """Add rows, column by column."""
 
 
 class Output:
@@ -73,18 +73,18 @@ class Output:
         """Add a row of the input: its line of the summary, and its outcome (None where it is invalid), both
         in the unit system of this output."""
         with unwritable(self._folder or self._path):
-            self._lines("summary", [line])
+            self._add("summary", [[value] for value in line])
             if not self._folder:
                 self._places.add(dict(zip(self._headers["summary"], line, strict=True)), outcome)
             for name in DETAILS:
-                if name != SHEET:
-                    self._lines(name, detail_lines(row, outcome, name, self._headers[name]))
-            of_site = detail_lines(row, outcome, SHEET, self._headers[SHEET][: len(ELONGATION)])
-            self._lines(SHEET, map(site_line, of_site))
+                if outcome and rows_in(columns := getattr(outcome, name)):
+                    all_of_it = named(row.name, columns)
+                    self._add(name, site_columns(all_of_it) if name == SHEET else all_of_it)
             self._add_problems(row.problems)
             if row.member:
                 for name in ECHO:
-                    self._lines(name, echo_lines(name, row.member, self._system))
+                    if lines := list(echo_lines(name, row.member, self._system)):
+                        self._add(name, list(zip(*lines, strict=True)))
 
     def finish(self, run: Mapping[str, Any]) -> Path:
         """Write what is known of the run, and put everything in its place; the path of the workbook."""
@@ -147,21 +147,21 @@ class Output:
         """Place of a new sheet among those that there are."""
         return sum(ORDER.index(other) < ORDER.index(name) for other in self._book.names)
 
-    def _lines(self, name: str, lines: Iterable[Sequence[Any]]) -> None:
-        for line in lines:
-            if name not in self._tables:
-                self._tables[name] = list(self._opened(name))
-            for table in self._tables[name]:
-                try:
-                    table.add(line)
-                except FullSheetError as error:
-                    raise FullSheetError(f"{error}; {CURE}") from None
+    def _add(self, name: str, columns: Sequence[Sequence[Any]]) -> None:
+        """Add rows to a table, which is opened with the first of them."""
+        if name not in self._tables:
+            self._tables[name] = list(self._opened(name))
+        for table in self._tables[name]:
+            try:
+                table.extend(columns)
+            except FullSheetError as error:
+                raise FullSheetError(f"{error}; {CURE}") from None
 
     def _add_problems(self, problems: Sequence[Problem]) -> None:
         """List new problems, up to what the sheet takes."""
         (page,) = self._tables["problems"]
         for problem in self._listed.new(problems):
             try:
-                page.add(problem.row())
+                page.extend([[value] for value in problem.row()])
             except FullSheetError:
                 self._unlisted += 1

@@ -12,7 +12,7 @@ from openpyxl.worksheet.properties import PageSetupProperties
 
 from ptbatch.errors import WriteError
 from ptbatch.workbook.formats import number_format, width
-from ptbatch.workbook.markup import Styles, in_row, row_markup, takes_markup
+from ptbatch.workbook.markup import RowNumber, Styles, in_row, rows_markup, takes_markup
 from ptbatch.workbook.read import LAST_ROW
 from ptbatch.workbook.sayable import sayable
 from ptbatch.workbook.stored_values import Formula
@@ -52,30 +52,37 @@ class Page:
             self._formats.append(number_format(header) if own == "General" else own)
         sheet.row_dimensions[1].height = _TWO_LINES
         sheet.append([self._header(text, (notes or {}).get(text, "")) for text in headers])
-        self._rows = 1
+        self._number = RowNumber()
         self._styles = [Styles(partial(self._cell, form=form), i) for i, form in enumerate(self._formats, 1)]
-        self._quick = takes_markup(sheet)
+        self._quick = takes_markup(sheet, self._number)
 
     @property
     def full(self) -> bool:
         """Whether no more rows go in."""
-        return self._rows >= LAST_ROW
+        return self._number.next > LAST_ROW
 
     def add(self, values: Sequence[Any]) -> None:
         """Add a row. Raises FullSheetError."""
-        if self.full:
+        self.extend([[value] for value in values])
+
+    def extend(self, columns: Sequence[Sequence[Any]]) -> None:
+        """Add rows, column by column. Raises FullSheetError, and adds none of them, if there is no room."""
+        rows = len(columns[0])
+        if self._number.next + rows - 1 > LAST_ROW:
             raise FullSheetError(f"sheet {self._sheet.title} has {LAST_ROW} rows, more than Excel takes")
-        self._rows += 1
-        markup = row_markup(values, self._styles, self._rows) if self._quick else None
-        if markup is None:
-            said = [in_row(sayable(value), self._rows) for value in values]
-            self._sheet.append(list(map(self._cell, said, self._formats)))
-        else:
+        markup = rows_markup(columns, self._styles, self._number.next) if self._quick else None
+        if markup is not None:
             self._sheet.append((markup,))
+            self._number.next += rows
+            return
+        for values in zip(*columns, strict=True):
+            said = [in_row(sayable(value), self._number.next) for value in values]
+            self._sheet.append(list(map(self._cell, said, self._formats)))
+            self._number.next += 1
 
     def filtered(self) -> None:
         """Give the headers buttons that filter the rows; once all rows are there."""
-        self._sheet.auto_filter.ref = f"A1:{get_column_letter(self._width)}{self._rows}"
+        self._sheet.auto_filter.ref = f"A1:{get_column_letter(self._width)}{self._number.next - 1}"
 
     def _header(self, text: str, note: str) -> Any:
         cell = self._cell(sayable(text), "General")

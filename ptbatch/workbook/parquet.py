@@ -1,7 +1,8 @@
-"""Writing a table of results to a Parquet file, row by row: a column holds texts or numbers, not both."""
+"""Writing a table of results to a Parquet file as members come: a column holds texts or numbers, not both."""
 
 import os
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -30,18 +31,24 @@ class ParquetTable:
         self._schema = self._arrow.schema([(name, types[kind]) for name, kind in self._fields.items()])
         self._temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         self._file = self._arrow.parquet.ParquetWriter(self._temporary, self._schema, compression="zstd")
-        self._lines: list[list[Any]] = []
+        self._columns: list[list[Any]] = [[] for _ in self._fields]
 
-    def add(self, values: Sequence[Any]) -> None:
-        """Add a row."""
-        pairs = list(zip(self._fields.items(), values, strict=False))
-        line = [_as(kind, value) for (_, kind), value in pairs]
+    def extend(self, columns: Sequence[Sequence[Any]]) -> None:
+        """Add rows, column by column."""
+        own = self._columns[: len(columns)]
+        for values, column, kind in zip(columns, own, self._fields.values(), strict=False):
+            column += [_as(kind, value) for value in values]
         if self._reasons:
-            texts = [f"{name}: {v}" for (name, kind), v in pairs if kind is not str and isinstance(v, str)]
-            line.append("; ".join(texts))
-        self._lines.append(line)
-        if len(self._lines) >= ROWS_AT_ONCE:
+            self._columns[-1] += map(self._why, zip(*columns, strict=True))
+        if len(self._columns[0]) >= ROWS_AT_ONCE:
             self._flush()
+
+    def _why(self, row: Sequence[Any]) -> str:
+        """The texts that stand where a number is wanted."""
+        kinds = zip(self._fields.items(), row, strict=False)
+        return "; ".join(
+            f"{name}: {v}" for (name, kind), v in kinds if kind is not str and isinstance(v, str)
+        )
 
     def finish(self) -> None:
         """Write what is left and put the file in its place."""
@@ -55,15 +62,17 @@ class ParquetTable:
         self._temporary.unlink(missing_ok=True)
 
     def _flush(self) -> None:
-        if self._lines:
-            columns = zip(zip(*self._lines, strict=True), self._schema, strict=True)
+        if self._columns[0]:
+            columns = zip(self._columns, self._schema, strict=True)
             arrays = [self._arrow.array(values, field.type) for values, field in columns]
             self._file.write_table(self._arrow.Table.from_arrays(arrays, schema=self._schema))
-            self._lines.clear()
+            self._columns = [[] for _ in self._fields]
 
 
 def _as(kind: type, value: Any) -> Any:
     """A value as its column holds it; None for a number that is a text."""
+    if type(value) is kind is float and isfinite(value):  # nearly all of them
+        return value
     value = sayable(value)
     if value is None or kind is str:
         return value if value is None else str(value)

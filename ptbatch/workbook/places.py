@@ -1,13 +1,12 @@
 """Where the rows of each member stand in the long sheets, for the formulas of the sheet `viewer`."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import chain
 from math import inf, isfinite
-from operator import itemgetter
 from typing import Any, NamedTuple
 
 from ptbatch.workbook.column import System
-from ptbatch.workbook.results import Outcome
+from ptbatch.workbook.results import Columns, Outcome, rows_in
 from ptbatch.workbook.systems import written
 
 VIEWED = ("jacked", "set", "anchored", "service", "peak")  # stages
@@ -48,24 +47,23 @@ class Places:
     def add(self, line: Mapping[str, Any], outcome: Outcome | None) -> None:
         """Count a row of the summary, by header, and the rows of its outcome."""
         self.rows["summary"] += 1
-        if outcome is None or not outcome.tendon:
+        if outcome is None or not rows_in(outcome.tendon):
             return
         self.first = self.first or (line, outcome)
         self.places.append(self._place(line["member"], outcome))
-        stresses = filter(isfinite, map(itemgetter(self._stress), outcome.tendon))
-        self.least_stress = min(chain([self.least_stress], stresses))
-        self.rows["tendon"] += len(outcome.tendon)
-        self.rows["curves"] += len(outcome.curves)
+        self.least_stress = min(chain([self.least_stress], filter(isfinite, outcome.tendon[self._stress])))
+        self.rows["tendon"] += rows_in(outcome.tendon)
+        self.rows["curves"] += rows_in(outcome.curves)
 
     def _place(self, member: str, outcome: Outcome) -> Place:
-        stages = [row["stage"] for row in outcome.tendon]
+        stages, steps = outcome.tendon["stage"], rows_in(outcome.curves)
         return Place(
             member,
             self.rows["summary"],
             tuple(self.rows["tendon"] + stages.index(s) + 1 if s in stages else NONE for s in VIEWED),
             stages.count(stages[0]),
-            self.rows["curves"] + 1 if outcome.curves else NONE,
-            len(outcome.curves),
+            self.rows["curves"] + 1 if steps else NONE,
+            steps,
         )
 
     @property
@@ -79,6 +77,7 @@ class Places:
         return max(1, *(place.steps for place in self.places))
 
 
-def stage_rows(outcome: Outcome, stage: str) -> Sequence[Mapping[str, Any]]:
-    """Rows of the sheet `tendon` at a stage."""
-    return [row for row in outcome.tendon if row["stage"] == stage]
+def at_stage(outcome: Outcome, stage: str) -> Columns:
+    """What the sheet `tendon` has of a stage."""
+    rows = [i for i, name in enumerate(outcome.tendon["stage"]) if name == stage]
+    return {header: [values[i] for i in rows] for header, values in outcome.tendon.items()}

@@ -1,14 +1,15 @@
 """The sheets of a results workbook, their columns exactly as offices rely on them."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import repeat
 from typing import Any
 
 from ptbatch.workbook.column import System
 from ptbatch.workbook.inputs import Inputs
 from ptbatch.workbook.rows import Row
 from ptbatch.workbook.sayable import sayable
-from ptbatch.workbook.systems import headers_in, record_in, sentence_in
+from ptbatch.workbook.systems import columns_in, headers_in, record_in, sentence_in
 
 HEAD = ("member", "status", "message")
 SUMMARY = (
@@ -99,7 +100,7 @@ MOMENTS = (
     "service [kN m]",
 )
 REACTIONS = ("member", "support", "x [mm]", "self_weight [kN]", "dead [kN]", "live [kN]", "secondary [kN]")
-# Tables of many rows a member
+# Tables of many rows a member; its name stands in the first column
 DETAILS = {
     "losses": LOSSES,
     "tendon": TENDON,
@@ -115,22 +116,25 @@ INVALID = "invalid input"
 NOT_ANALYSED = "not analysed"
 
 
+Columns = Mapping[str, Sequence[Any]]  # a table of one member by header, but for its name; {} without rows
+
+
 @dataclass(frozen=True)
 class Outcome:
-    """Result of one member: a summary and rows of the sheets in DETAILS, by the headers above, or by those of
-    another unit system."""
+    """Result of one member: a summary and the tables in DETAILS, by the headers above, or by those of another
+    unit system."""
 
     status: str
     message: str
     summary: Mapping[str, Any]
-    tendon: Sequence[Mapping[str, Any]] = ()
-    curves: Sequence[Mapping[str, Any]] = ()
-    cracks: Sequence[Mapping[str, Any]] = ()
-    checks: Sequence[Mapping[str, Any]] = ()
-    elongation: Sequence[Mapping[str, Any]] = ()
-    losses: Sequence[Mapping[str, Any]] = ()
-    moments: Sequence[Mapping[str, Any]] = ()
-    reactions: Sequence[Mapping[str, Any]] = ()
+    tendon: Columns = field(default_factory=dict)
+    curves: Columns = field(default_factory=dict)
+    cracks: Columns = field(default_factory=dict)
+    checks: Columns = field(default_factory=dict)
+    elongation: Columns = field(default_factory=dict)
+    losses: Columns = field(default_factory=dict)
+    moments: Columns = field(default_factory=dict)
+    reactions: Columns = field(default_factory=dict)
 
     @property
     def analysed(self) -> bool:
@@ -141,7 +145,7 @@ class Outcome:
         """The same by the headers of a unit system."""
         if system == "SI":
             return self
-        tables = {name: [record_in(row, system) for row in getattr(self, name)] for name in DETAILS}
+        tables = {name: columns_in(getattr(self, name), system) for name in DETAILS}
         message = sentence_in(self.message, system)
         return Outcome(self.status, message, record_in(self.summary, system), **tables)
 
@@ -172,9 +176,11 @@ def summary_records(headers: Sequence[str], lines: Iterable[Sequence[Any]]) -> I
     return (dict(zip(headers, map(sayable, line), strict=True)) for line in lines)
 
 
-def detail_lines(
-    row: Row, outcome: Outcome | None, table: str, headers: Sequence[str]
-) -> Iterator[list[Any]]:
-    """Lines of one of the DETAILS, under its headers in the system of the outcome."""
-    for line in getattr(outcome, table, ()):
-        yield [row.name, *(line[header] for header in headers[1:])]
+def rows_in(columns: Columns) -> int:
+    """How many rows a table has."""
+    return len(next(iter(columns.values()), ()))
+
+
+def named(name: str, columns: Columns) -> list[Sequence[Any]]:
+    """The columns of one of the DETAILS, the name of the member before them."""
+    return [list(repeat(name, rows_in(columns))), *columns.values()]

@@ -19,13 +19,14 @@ def site_headers(system: System) -> list[str]:
     return headers_in((*ELONGATION, *FILLED_IN), system)
 
 
-def site_line(line: Sequence[Any]) -> list[Any]:
-    """A line with room for what is measured, and formulas; `{row}` stands for its row."""
+def site_columns(columns: Sequence[Sequence[Any]]) -> list[Sequence[Any]]:
+    """The columns with room for what is measured, and formulas; `{row}` stands for their row."""
     after, least, most = (f"{_letter(name)}{{row}}" for name in ("after_set [mm]", "least [mm]", "most [mm]"))
     measured = f"{_letter('measured [mm]')}{{row}}"
     deviation = f'=IF({measured}="","",100*({measured}/{after}-1))'
     within = f'IF(AND({measured}>={least},{measured}<={most}),"OK","NG")'
-    return [*line, None, None, Formula(deviation, ""), Formula(f'=IF({measured}="","",{within})', "")]
+    filled_in = None, None, Formula(deviation, ""), Formula(f'=IF({measured}="","",{within})', "")
+    return [*columns, *([value] * len(columns[0]) for value in filled_in)]
 
 
 def _letter(header: str) -> str:

@@ -5,7 +5,7 @@ and back once, when a table is read.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -40,6 +40,16 @@ def record_in(record: Mapping[str, Any], system: System) -> dict[str, Any]:
     converted = ((*written(header, system), value) for header, value in record.items())
     made = {header: times(value, factor) for header, factor, value in converted}
     return made | _with_own_unit(record, system) if "unit" in record else made
+
+
+def columns_in(columns: Mapping[str, Sequence[Any]], system: System) -> dict[str, list[Any]]:
+    """A table by header, in a system."""
+    if "unit" in columns:  # each row has its own
+        records = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+        made = [record_in(record, system) for record in records]
+        return {header: [record[header] for record in made] for header in headers_in(columns, system)}
+    to = {header: written(header, system) for header in columns}
+    return {to[h][0]: [times(value, to[h][1]) for value in values] for h, values in columns.items()}
 
 
 def _with_own_unit(record: Mapping[str, Any], system: System) -> dict[str, Any]:

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from ptbatch.workbook.column import System
-from ptbatch.workbook.places import VIEWED, stage_rows
-from ptbatch.workbook.results import Outcome
+from ptbatch.workbook.places import VIEWED, at_stage
+from ptbatch.workbook.results import Outcome, rows_in
 from ptbatch.workbook.stored_values import NOT_AVAILABLE
 from ptbatch.workbook.systems import headers_in
 
@@ -29,14 +29,14 @@ CURVE_COLUMNS: Names = (
 
 def point_values(outcome: Outcome, rows: int, system: System) -> list[list[Value]]:
     """Values of POINT_COLUMNS but the first; x stays at the last point beyond it."""
-    stages = {stage: stage_rows(outcome, stage) for stage in VIEWED}
-    points = stage_rows(outcome, outcome.tendon[0]["stage"])
+    stages = {stage: at_stage(outcome, stage) for stage in VIEWED}
+    points = at_stage(outcome, outcome.tendon["stage"][0])
     x, fe, analytic = headers_in(("x [mm]", "stress_fe [MPa]", "stress_analytic [MPa]"), system)
     headers = {"stress_fe": fe, "stress_analytic": analytic}
     return [
         [
-            points[min(i, len(points) - 1)][x],
-            *(_at(stages[stage], i, headers[name]) for name, stage in POINT_COLUMNS[2:]),
+            points[x][min(i, rows_in(points) - 1)],
+            *(_at(stages[stage][headers[name]], i) for name, stage in POINT_COLUMNS[2:]),
         ]
         for i in range(rows)
     ]
@@ -44,14 +44,14 @@ def point_values(outcome: Outcome, rows: int, system: System) -> list[list[Value
 
 def curve_values(outcome: Outcome, rows: int, system: System) -> list[list[Value]]:
     """Values of CURVE_COLUMNS but the first."""
-    curve = outcome.curves
-    deflection, load = headers_in(("deflection [mm]", "load [kN]"), system)
+    headers = headers_in(("deflection [mm]", "load [kN]"), system)
+    deflection, load, events = (outcome.curves.get(header, ()) for header in (*headers, "event"))
     return [
         [
-            _at(curve, i, deflection),
-            _at(curve, i, load),
+            _at(deflection, i),
+            _at(load, i),
             *(
-                _at(curve, i, load) if i < len(curve) and event in curve[i]["event"] else NOT_AVAILABLE
+                _at(load, i) if i < len(events) and event in events[i] else NOT_AVAILABLE
                 for _, event in CURVE_COLUMNS[3:]
             ),
         ]
@@ -59,5 +59,5 @@ def curve_values(outcome: Outcome, rows: int, system: System) -> list[list[Value
     ]
 
 
-def _at(rows: Sequence[Any], i: int, header: str) -> Value:
-    return rows[i][header] if i < len(rows) else NOT_AVAILABLE
+def _at(column: Sequence[Any], i: int) -> Value:
+    return column[i] if i < len(column) else NOT_AVAILABLE

@@ -13,7 +13,7 @@ from ptbatch.design.subject import Subject
 from ptbatch.design.time_losses import compression_at_tendon, volume_to_surface
 from ptbatch.member import Member
 from ptbatch.response import ANCHORED
-from ptbatch.tables import check_rows, summary_row
+from ptbatch.tables import check_table, summary_row
 
 LIGHT = dict(
     span=9000, b=300, h=600, fc=40, Aps=592, dp=(300, 500, 300), fpj=1300, As=603, ds=550, w_dead=5,
@@ -220,6 +220,7 @@ def test_the_class_has_a_short_name(book):
 
 def test_nothing_provided_is_said_in_words():
     member, response, found = made(LIGHT | dict(As=0, ds=0))
-    (steel,) = [row for row in check_rows(member, found.values()) if row["check"] == "least bonded steel"]
-    assert (steel["utilisation"], steel["outcome"]) == ("nothing is provided", "fail")
+    table = check_table(found.values())
+    steel = table["check"].index("least bonded steel")
+    assert (table["utilisation"][steel], table["outcome"][steel]) == ("nothing is provided", "fail")
     assert summary_row(member, response)["utilisation_max"] == "nothing is provided"

@@ -15,8 +15,8 @@ NUMBERS = [0.1, 1 / 3, -0.0, 1e-300, float("inf"), 12345678.901234567, 7, "no cr
 
 
 def outcome(value=1.5) -> Outcome:
-    rows = {name: [dict.fromkeys(headers[1:], value)] * 2 for name, headers in DETAILS.items()}
-    return Outcome("ok", "a message", dict.fromkeys(SUMMARY, value), **rows)
+    tables = {name: dict.fromkeys(headers[1:], [value] * 2) for name, headers in DETAILS.items()}
+    return Outcome("ok", "a message", dict.fromkeys(SUMMARY, value), **tables)
 
 
 def member(**changes) -> Member:
@@ -31,10 +31,25 @@ def test_outcomes_come_back_to_the_last_digit(value):
     assert repr(again.summary) == repr(outcome(value).summary)
 
 
+def test_columns_of_every_kind_come_back():
+    """Numbers alone, numbers among texts, whole ones, none; NaN too, which differs from itself."""
+    columns = [
+        [0.1, -0.0, float("nan"), float("inf")],
+        [0.5, "none", 2, ""],
+        [1, 2, 3, 4],
+        [0.2] * 4,
+        [True] * 4,
+    ]
+    curves = dict(zip(DETAILS["curves"][1:], [*columns, *columns], strict=False))
+    tables = {"curves": curves, "cracks": {header: [] for header in DETAILS["cracks"][1:]}, "tendon": {}}
+    given = Outcome("ok", "", dict.fromkeys(SUMMARY, 1.0), **tables)
+    assert repr(decode(encode(given))) == repr(given)
+
+
 def test_numbers_of_numpy():
     again = decode(encode(outcome(np.float64(1 / 3))))
     assert again.summary["load_peak [kN]"] == 1 / 3
-    assert type(decode(encode(outcome(np.int64(7)))).curves[0]["step"]) is int
+    assert type(decode(encode(outcome(np.int64(7)))).curves["step"][0]) is int
 
 
 @pytest.mark.parametrize(

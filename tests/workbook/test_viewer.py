@@ -19,22 +19,18 @@ STAGES = ("jacked", "set", "anchored", "service", "peak")
 def outcome(points: int, steps: int, stages=STAGES) -> Outcome:
     """Numbers that tell where they come from."""
     tendon = [
-        dict(
-            zip(
-                TENDON[1:],
-                (stage, 10.0 * i, 1000.0 + i, "" if stage == "peak" else 900.0 + i, 0.0),
-                strict=True,
-            )
-        )
+        (stage, 10.0 * i, 1000.0 + i, "" if stage == "peak" else 900.0 + i, 0.0)
         for stage in stages
         for i in range(points)
     ]
     events = {1: "cracking, yield", steps - 1: "peak"}
-    curves = [
-        dict(zip(CURVES[1:], (i, i, 5.0 * i, 2.0 * i, 0, 0, 0, 0, events.get(i, "")), strict=True))
-        for i in range(steps)
-    ]
-    return Outcome("ok", "", {}, tendon, curves)
+    curves = [(i, i, 5.0 * i, 2.0 * i, 0, 0, 0, 0, events.get(i, "")) for i in range(steps)]
+    return Outcome("ok", "", {}, columns(TENDON, tendon), columns(CURVES, curves))
+
+
+def columns(headers, lines) -> dict:
+    """A table of lines by header."""
+    return dict(zip(headers[1:], map(list, zip(*lines, strict=True)), strict=bool(lines)))
 
 
 @pytest.fixture
@@ -103,7 +99,7 @@ def test_no_text_of_a_user_is_in_a_formula(viewer):
 def test_numbers_that_are_none(viewer):
     """A number that is not finite would make Excel call the file damaged."""
     result = outcome(3, 4)
-    result.tendon[1]["stress_fe [MPa]"] = float("nan")
+    result.tendon["stress_fe [MPa]"][1] = float("nan")
     _, values = viewer(("B1", result))
     assert column(values, "stress_fe jacked")[:3] == [1000, "#N/A", 1002]
 

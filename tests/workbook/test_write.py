@@ -1,7 +1,7 @@
 """Results workbooks: what is written can be read back, and the file is whole or not there."""
 
 import os
-from datetime import date
+from datetime import date, datetime
 
 import pytest
 from openpyxl import load_workbook
@@ -66,7 +66,7 @@ def test_rows_as_markup_are_those_of_openpyxl(tmp_path, monkeypatch):
     headers = ["member", "load [kN]", *(f"h{i} [MPa]" for i in range(8))]
     sheets = [Sheet("s", headers, MIXED)]
     quick = load_workbook(write_workbook(tmp_path / "quick.xlsx", sheets))["s"]
-    monkeypatch.setattr("ptbatch.workbook.page.takes_markup", lambda sheet: False)
+    monkeypatch.setattr("ptbatch.workbook.page.takes_markup", lambda *_: False)
     usual = load_workbook(write_workbook(tmp_path / "usual.xlsx", sheets))["s"]
     assert quick.dimensions == usual.dimensions == "A1:J4"
     for row, expected in zip(quick.iter_rows(), usual.iter_rows(), strict=True):
@@ -74,6 +74,37 @@ def test_rows_as_markup_are_those_of_openpyxl(tmp_path, monkeypatch):
             assert one.value == other.value
             assert one.data_type == other.data_type or one.value is None
             assert (one.number_format, one.quotePrefix) == (other.number_format, other.quotePrefix)
+
+
+def test_rows_that_come_together(tmp_path):
+    """As many rows as there are, whether or not they can go as markup, below those before."""
+    book = write.Book()
+    page = book.page("s", ["member", "load [kN]"])
+    page.extend([["A", "A"], [1.5, "none"]])
+    page.extend([["B", "B"], [2.5, date(2024, 3, 1)]])
+    page.add(["C", 3.5])
+    page.extend([[], []])
+    page.extend([["D", "=D"], [4.5, 5]])
+    page.filtered()
+    sheet = load_workbook(book.save(tmp_path / "s.xlsx"))["s"]
+    expected = [("A", 1.5), ("A", "none"), ("B", 2.5), ("B", datetime(2024, 3, 1)), ("C", 3.5), ("D", 4.5)]
+    assert list(sheet.iter_rows(min_row=2, values_only=True)) == [*expected, ("=D", 5)]
+    assert sheet.auto_filter.ref == "A1:B8"
+
+
+def test_a_sheet_that_has_no_room_for_all_takes_none(tmp_path, monkeypatch):
+    monkeypatch.setattr("ptbatch.workbook.page.LAST_ROW", 4)
+    book = write.Book()
+    try:
+        page = book.page("s", ["member"])
+        page.extend([["A", "B"]])
+        with pytest.raises(WriteError, match="has 4 rows"):
+            page.extend([["C", "D"]])
+        page.add(["C"])
+        with pytest.raises(WriteError):
+            page.add(["D"])
+    finally:
+        book.discard()
 
 
 def test_openpyxl_takes_markup(monkeypatch):
