@@ -5,7 +5,6 @@ lxml), `takes_markup` says no, and rows go the usual way.
 """
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 from math import inf
 from typing import Any
 from xml.sax.saxutils import escape
@@ -31,13 +30,12 @@ class Styles:
             _style(cell(example)) for example in (1.5, 1, "a", "=a")
         )
         self.start, self.fraction = f'<c r="{get_column_letter(column)}', f'"{self._number}><v>'
-        self._behind = lru_cache(TEXTS)(self._text_behind)
+        self.texts = Texts(self._text, self._quoted)
 
     def cell(self, value: Any, row: int) -> str | None:
         """A cell with what `sayable` makes of a value; None where that is nothing for Markup."""
         if isinstance(value, str):
-            behind = self._behind(value)
-            return f"{self.start}{row}{behind}" if behind else ""
+            return f"{self.start}{row}{self.texts[value]}" if value else ""
         value = in_row(sayable(value), row)
         if value is None:
             return ""
@@ -52,14 +50,26 @@ class Styles:
             return f"{place}{self._whole}><v>{value}</v></c>"
         return self.cell(value, row) if isinstance(value, str) else None
 
-    def _text_behind(self, value: str) -> str:
-        """What stands behind the number of the row of a cell with a text; empty if it is."""
-        value = sayable(value)
-        if not value:
-            return ""
-        style = self._quoted if value[0] in "=+-@" else self._text
-        space = "" if value == value.strip() and "\n" not in value else ' xml:space="preserve"'
-        return f'"{style} t="inlineStr"><is><t{space}>{escape(value)}</t></is></c>'
+
+class Texts(dict[str, str]):
+    """By text, what stands behind the number of the row of a cell with it. TEXTS of them are kept."""
+
+    def __init__(self, plain: str, quoted: str) -> None:
+        super().__init__()
+        self._plain, self._quoted = plain, quoted
+
+    def __missing__(self, text: str) -> str:
+        if len(self) >= TEXTS:
+            self.clear()
+        self[text] = behind = self._behind(sayable(text))
+        return behind
+
+    def _behind(self, text: str) -> str:
+        if not text:  # of control characters alone
+            return '"/>'
+        style = self._quoted if text[0] in "=+-@" else self._plain
+        space = "" if text == text.strip() and "\n" not in text else ' xml:space="preserve"'
+        return f'"{style} t="inlineStr"><is><t{space}>{escape(text)}</t></is></c>'
 
 
 def _style(cell: Any) -> str:
@@ -76,10 +86,12 @@ def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], firs
     cells = []
     rows = range(first, first + len(columns[0]))
     for values, style in zip(columns, styles, strict=True):
-        start, fraction, cell = style.start, style.fraction, style.cell
+        start, fraction, texts, cell = style.start, style.fraction, style.texts, style.cell
         column = [
             f"{start}{row}{fraction}{value!r}</v></c>"
             if type(value) is float and -inf < value < inf  # nearly all of them
+            else f"{start}{row}{texts[value]}"
+            if type(value) is str and value  # nearly all others
             else cell(value, row)
             for row, value in zip(rows, values, strict=True)
         ]

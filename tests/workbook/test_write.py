@@ -56,6 +56,7 @@ def test_look(tmp_path):
 
 MIXED = [
     ["=1+1", 0.1, 3, True, None, "", "a & b < c > d", " space ", "two\nlines", "'quoted'"],
+    ["\x00", 0.2, -3, True, "", "\x01\x02", "tail ", "=", 1e22, "0"],
     ["+1", -1e-300, 2**40, False, "é 漢 \u2212", "]]>", '"', "\ttab", "@x", "-"],
     ["date", 1 / 3, 0, date(2024, 3, 1), float("inf"), "x" * 40_000, "\x00", "<is>", "NA", "001"],
 ]
@@ -68,7 +69,7 @@ def test_rows_as_markup_are_those_of_openpyxl(tmp_path, monkeypatch):
     quick = load_workbook(write_workbook(tmp_path / "quick.xlsx", sheets))["s"]
     monkeypatch.setattr("ptbatch.workbook.page.takes_markup", lambda *_: False)
     usual = load_workbook(write_workbook(tmp_path / "usual.xlsx", sheets))["s"]
-    assert quick.dimensions == usual.dimensions == "A1:J4"
+    assert quick.dimensions == usual.dimensions == "A1:J5"
     for row, expected in zip(quick.iter_rows(), usual.iter_rows(), strict=True):
         for one, other in zip(row, expected, strict=True):
             assert one.value == other.value
