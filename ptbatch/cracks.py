@@ -25,13 +25,16 @@ def cracks_at(recorded: Recorded, steps: Sequence[int], thickness: Array) -> lis
     model = recorded.model
     if model.concrete.law == ELASTIC:
         return [() for _ in steps]
-    worst = np.full((2 * (len(model.x) - 1), len(model.layer_y)), -np.inf)
+    cracked = np.zeros((len(model.x) - 1, 2, len(model.layer_y)), bool)
+    young = int(np.count_nonzero(~recorded.aged))  # rows before the concrete has crept and shrunk: the first
     found, done = [], 0
     for step in steps:
-        for start in range(done, step + 1, CHUNK):
-            _raise_to(worst, recorded, slice(start, min(start + CHUNK, step + 1)))
+        middle = min(max(done, young), step + 1)
+        cracked |= _cracked_young(recorded, slice(done, middle))
+        for start in range(middle, step + 1, CHUNK):
+            cracked |= _cracked_aged(recorded, slice(start, min(start + CHUNK, step + 1)))
         done = step + 1
-        found.append(tuple(_stretches(worst > _limit(model), model, thickness)))
+        found.append(tuple(_stretches(cracked.reshape(-1, len(model.layer_y)), model, thickness)))
     return found
 
 
@@ -40,9 +43,23 @@ def _limit(model: Model) -> float:
     return ROUND_OFF if concrete.tension_law == NO_TENSION else concrete.eps_cr
 
 
-def _raise_to(worst: Array, recorded: Recorded, steps: slice) -> None:
-    """Raise the largest strains (sections, layers) to those of more steps."""
-    np.maximum(worst, recorded.layer_strain(steps).max(axis=0).reshape(worst.shape), out=worst)
+def _cracked_young(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
+    """Which layers (n, 2, layers) crack in steps without creep or shrinkage. Strains are straight lines: a
+    section cracks up to the height, or from the height on, where its line is at the limit."""
+    model = recorded.model
+    eps0, kappa = recorded.eps0[steps], recorded.kappa[steps]
+    beyond = eps0 - _limit(model)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        height = beyond / kappa
+    up_to = np.where(kappa > 0.0, height, -np.inf).max(axis=0, initial=-np.inf)[..., None]
+    from_on = np.where(kappa < 0.0, height, np.inf).min(axis=0, initial=np.inf)[..., None]
+    through = ((kappa == 0.0) & (beyond > 0.0)).any(axis=0)[..., None]
+    return np.asarray((model.layer_y < up_to) | (model.layer_y > from_on) | through)
+
+
+def _cracked_aged(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
+    """The same in any steps."""
+    return np.asarray(recorded.layer_strain(steps).max(axis=0) > _limit(recorded.model))
 
 
 def _stretches(cracked: NDArray[np.bool_], model: Model, thickness: Array) -> Iterator[Crack]:

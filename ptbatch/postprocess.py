@@ -58,8 +58,8 @@ def _why(run: Run) -> str:
 def recorded(run: Run, rows: slice) -> Recorded:
     """Rows of the record."""
     case, history = run.rig.case, run.rig.case.history
-    aged = history.stage[rows] >= stages.TIME
     free = np.moveaxis(run.rig.own_strain.reshape(-1, len(case.model.x) - 1, 2), 0, -1)
+    aged = (history.stage[rows] >= stages.TIME) & free.any()
     strains = section_strains(case.model.x, history.u[rows])
     return Recorded(case.model, *strains, history.T[rows], history.strain[rows], aged, free)
 
