@@ -40,23 +40,23 @@ class Recorded:
 
     def layer_strain(self, steps: slice) -> Array:
         """Strain that the layers of concrete have their stress from (steps, n, 2, layers)."""
-        return self._strain(self.model.layer_y, self.free, steps)
-
-    def face_strain(self) -> Array:
-        """The same at the top and the bottom fibre (steps, n, 2, 2)."""
-        model, y = self.model, self.model.layer_y
-        free = self.free[..., [0, -1]]
-        if len(y) > 1:  # on the line through the two layers next to it
-            slopes = (free - self.free[..., [1, -2]]) / (y[[0, -1]] - y[[1, -2]])
-            free = free + slopes * ([model.top, model.bottom] - y[[0, -1]])
-        return self._strain(np.array([model.top, model.bottom]), free, slice(None))
-
-    def _strain(self, heights: Array, free: Array, steps: slice) -> Array:
-        strain = self.eps0[steps, ..., None] - heights * self.kappa[steps, ..., None]
+        strain = self.eps0[steps, ..., None] - self.model.layer_y * self.kappa[steps, ..., None]
         aged = self.aged[steps]
         if aged.any():
-            strain[aged] -= free
+            strain[aged] -= self.free
         return np.asarray(strain)
+
+    def face_strain(self) -> Array:
+        """The same at the top and the bottom fibre (2, steps, n, 2)."""
+        model, y = self.model, self.model.layer_y
+        faces = np.stack([self.eps0 - height * self.kappa for height in (model.top, model.bottom)])
+        if self.aged.any():
+            free = self.free[..., [0, -1]]
+            if len(y) > 1:  # on the line through the two layers next to it
+                slopes = (free - self.free[..., [1, -2]]) / (y[[0, -1]] - y[[1, -2]])
+                free = free + slopes * ([model.top, model.bottom] - y[[0, -1]])
+            faces[:, self.aged] -= np.moveaxis(free, -1, 0)[:, None]
+        return faces
 
 
 def find_events(service: Recorded, curve: Curve) -> tuple[tuple[Event, ...], str]:
@@ -131,8 +131,8 @@ def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
     measures = {}
     if concrete.law != ELASTIC:
         eps_cr = 0.0 if concrete.tension_law == NO_TENSION else concrete.eps_cr
-        measures["cracking"] = _largest(1.0 + (faces.max(axis=-1) - eps_cr) / 1e-3, place)
-        measures[CRUSHING] = _largest(-faces.min(axis=-1) / concrete.crushing_strain, place)
+        measures["cracking"] = _largest(1.0 + (faces.max(axis=0) - eps_cr) / 1e-3, place)
+        measures[CRUSHING] = _largest(-faces.min(axis=0) / concrete.crushing_strain, place)
     stress = service.T / strand.Aps
     pulled = model.x[stress.argmax(axis=1)]  # a tendon element lies about the beam node of its number
     tendon_yield = stress.max(axis=1) / strand.fpy, pulled
@@ -140,10 +140,11 @@ def _measures(service: Recorded) -> dict[str, tuple[Array, Array]]:
         measures["yield"] = tendon_yield
         measures[TENDON_RUPTURE] = service.strain / strand.epu, pulled
     if model.bar_y.size:
-        bars = np.abs(service.eps0[..., None] - model.bar_y * service.kappa[..., None])
-        bars *= model.bar_area[:, None, :] > 0.0
-        bar_yield, at = _largest((bars * steel.Es / model.bar_fy).max(axis=-1), place)
-        measures[BAR_RUPTURE] = _largest(bars.max(axis=-1) / steel.esu, place)
+        bars = np.stack([np.abs(service.eps0 - y * service.kappa) for y in model.bar_y])  # (r, steps, n, 2)
+        bars *= model.bar_area.T[:, None, :, None] > 0.0
+        yields = bars * (steel.Es / model.bar_fy)[:, None, None, None]
+        bar_yield, at = _largest(yields.max(axis=0), place)
+        measures[BAR_RUPTURE] = _largest(bars.max(axis=0) / steel.esu, place)
         if "yield" in measures:
             at = np.where(bar_yield < tendon_yield[0], pulled, at)
             bar_yield = np.maximum(bar_yield, tendon_yield[0])
@@ -173,4 +174,4 @@ def _largest(measure: Array, place: Array) -> tuple[Array, Array]:
     """Largest over the sections of each row, and where."""
     flat = measure.reshape(len(measure), -1)
     at = flat.argmax(axis=1)
-    return flat.max(axis=1), place.ravel()[at]
+    return flat[np.arange(len(flat)), at], place.ravel()[at]

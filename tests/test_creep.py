@@ -131,8 +131,8 @@ def test_what_the_concrete_does_by_itself_is_no_demand():
     steps = recorded(run, slice(int(case.history.rows[0])))
     steps.aged[-1] = True
     plain = recorded(run, slice(int(case.history.rows[0])))
-    change = steps.face_strain()[-1] - plain.face_strain()[-1]
-    assert change == pytest.approx(np.broadcast_to([-0.5e-3, 0.5e-3], change.shape))
+    change = steps.face_strain()[:, -1] - plain.face_strain()[:, -1]
+    assert change == pytest.approx(np.broadcast_to([[[-0.5e-3]], [[0.5e-3]]], change.shape))
     assert steps.layer_strain(slice(-1, None))[0] == pytest.approx(
         plain.layer_strain(slice(-1, None))[0] - bend
     )
