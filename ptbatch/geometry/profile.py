@@ -43,7 +43,12 @@ def ideal_profile(member: Any) -> Profile:
     Raises ValueError if the shape is unknown, the number of depths does not fit the spans, or the points do
     not run from one end of the member to the other.
     """
-    return _ideal(tuple(getattr(member, name, None) for name in DRAWN))
+    return _ideal(tuple(_frozen(getattr(member, name, None)) for name in DRAWN))
+
+
+def _frozen(value: Any) -> Any:
+    """Lists as tuples, which can be looked up."""
+    return tuple(map(_frozen, value)) if isinstance(value, list | tuple) else value
 
 
 @lru_cache(KEPT)
