@@ -1,5 +1,7 @@
 """The analysis of one member: jacking, wedge set, anchoring, service."""
 
+from dataclasses import replace
+
 from ptbatch import stages
 from ptbatch.ageing import lose
 from ptbatch.core.case import Case, Tolerance
@@ -20,14 +22,30 @@ from ptbatch.tendon_losses import tendon_losses
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
 BUDGET = 30_000  # iterations of one member at most
+OTHER_STEPS = (
+    1.1,
+    1.3,
+)  # where cracks open at once, it depends on the steps whether a way past them is found
 
 
 def analyse(member: Member, *, refine: float = 1.0) -> Response:
     """Analyse a member through all its stages.
 
-    refine: divide the steps of the live load by this. A member that does not converge raises nothing: see
-    Response.status.
+    refine: divide the steps of the live load by this. A member that does not converge under it is analysed
+    again with somewhat other steps; if it still does not, nothing is raised: see Response.status.
     """
+    response = through_the_stages(member, refine)
+    for share in OTHER_STEPS:
+        if response.status != "not converged" or response.curve is None:
+            break
+        again, before = through_the_stages(member, share * refine), response.newton_iterations
+        response = response if again.status == "not converged" else again
+        response = replace(response, newton_iterations=before + again.newton_iterations)
+    return response
+
+
+def through_the_stages(member: Member, refine: float) -> Response:
+    """Analyse a member once."""
     setup, loss = set_up(member), None
     run = prepare(setup, jacking_stress(setup))
     try:
