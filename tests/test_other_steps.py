@@ -13,8 +13,8 @@ from tests.members import SMALL
 
 @pytest.fixture
 def analysed(monkeypatch):
-    """analysed(statuses, loaded) puts these outcomes in turn in place of the analysis: what `analyse` makes of
-    them, and the steps that it asked for."""
+    """analysed(statuses, loaded) puts these outcomes in turn in place of the analysis: what `analyse` makes
+    of them, and the steps that it asked for."""
     asked = []
 
     def replace_by(statuses, loaded=True):
