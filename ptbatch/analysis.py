@@ -11,9 +11,10 @@ from ptbatch.core.ramp import DONE
 from ptbatch.core.work import new_work
 from ptbatch.design.longterm import TimeLoss
 from ptbatch.design.time_losses import takes_time, time_loss
-from ptbatch.losses import fpj_for_mean
+from ptbatch.losses import Losses, fpj_for_mean
 from ptbatch.member import Member
 from ptbatch.model.arrays import Setup, half_bandwidth, model, set_up
+from ptbatch.model.duct import TendonStart
 from ptbatch.postprocess import anchored, finished, stopped
 from ptbatch.response import Response
 from ptbatch.run import Run
@@ -61,10 +62,15 @@ def through_the_stages(member: Member, refine: float) -> Response:
 
 def prepare(setup: Setup, fpj: float) -> Run:
     """A member with its tendon slack in the duct, placed for the jacking stress."""
-    member = setup.member
-    losses = tendon_losses(vars(member), fpj)
+    losses = tendon_losses(vars(setup.member), fpj)
+    case, start = laid_out(setup, losses, fpj)
+    return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)
+
+
+def laid_out(setup: Setup, losses: Losses, fpj: float) -> tuple[Case, TendonStart]:
+    """All arrays of an analysis, and where its tendon starts."""
+    member, n = setup.member, len(setup.mesh.x) - 1
     arrays, state, ends, start = model(setup, losses)
-    n = len(setup.mesh.x) - 1
     case = Case(
         arrays,
         state,
@@ -81,7 +87,7 @@ def prepare(setup: Setup, fpj: float) -> Run:
             BUDGET,
         ),
     )
-    return Run(setup, stages.Rig.of(case, setup.live), start, losses, fpj)
+    return case, start
 
 
 def stress(run: Run) -> None:

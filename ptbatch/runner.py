@@ -10,6 +10,7 @@ from concurrent.futures import Future, ThreadPoolExecutor, wait
 from threading import Event
 from time import perf_counter
 
+from ptbatch.first_run import compile_ahead
 from ptbatch.member import Member
 from ptbatch.workbook.results import DETAILS, NOT_ANALYSED, SUMMARY, Columns, Outcome
 
@@ -64,6 +65,7 @@ def engine() -> Callable[[Member], Outcome]:
 
     What it needs is imported here, before any thread starts.
     """
+    compile_ahead()
     from ptbatch.analysis import analyse
     from ptbatch.design.checks import checks, subject
     from ptbatch.tables import (

@@ -75,6 +75,7 @@ def engine(monkeypatch):
             "curve_table": lambda *_: dict.fromkeys(CURVES, [2.0] * 2) | {"event": ["peak"] * 2},
         },
     }
+    monkeypatch.setattr("ptbatch.runner.compile_ahead", lambda: None)
     for name, content in fakes.items():
         module = ModuleType(f"ptbatch.{name}")
         vars(module).update(content)

@@ -1,0 +1,81 @@
+"""The first run compiles for most of a minute. A second process helps: it compiles kernels that the first one
+comes to late, for the folder where that one will look for them.
+"""
+
+import os
+import subprocess
+import sys
+from contextlib import suppress
+from typing import Any
+
+from ptbatch.core.cache import is_warm
+
+ANY = dict(
+    member="any", span=10_000, b=300, h=600, fc=40, Aps=592, dp=(300, 500, 300), fpj=1395, elements=4
+)  # fmt: skip
+_helpers: list[subprocess.Popen[bytes]] = []  # held, since one that nobody holds is complained about
+
+
+def compile_ahead() -> None:
+    """Start the second process, if there is something to compile and a processor for it. Whatever becomes of
+    it, the first one compiles what it does not find."""
+    if _helpers or is_warm() or (os.cpu_count() or 1) < 2 or not sys.executable:
+        return
+    quiet = subprocess.DEVNULL
+    # -P: a file in the working folder is not to be taken for a module
+    command = [sys.executable, "-P", "-m", "ptbatch.first_run"]
+    with suppress(OSError):
+        _helpers.append(subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet))
+
+
+def compile_late_kernels() -> None:
+    """Compile what the first process comes to late, in that order, by the types that it will have there."""
+    from numba import types
+
+    from ptbatch.core.assembly import tangent
+    from ptbatch.core.equilibrium import imbalance_as_evaluated
+    from ptbatch.core.failure import demands_as_evaluated
+    from ptbatch.core.step import accept
+
+    case, target, vector = kinds()
+    whole, real, part = types.int64, types.float64, case.field_dict
+    late: Any = {
+        tangent: (part["model"], part["state"], vector, part["ends"], types.boolean, real, part["work"]),
+        imbalance_as_evaluated: (case, target, real),
+        accept: (case, whole, real, whole, real),
+        demands_as_evaluated: (case,),
+    }
+    for kernel, signature in late.items():
+        kernel.compile(signature)
+
+
+def kinds() -> tuple[Any, Any, Any]:
+    """numba's types of a case, of a target and of a vector."""
+    from numba import typeof
+
+    from ptbatch.analysis import jacking_stress, laid_out
+    from ptbatch.core.case import Target
+    from ptbatch.member import Member
+    from ptbatch.model.arrays import set_up
+    from ptbatch.tendon_losses import tendon_losses
+
+    setup = set_up(Member(**ANY))
+    fpj = jacking_stress(setup)
+    case, _ = laid_out(setup, tendon_losses(vars(setup.member), fpj), fpj)
+    target = Target(setup.pattern, setup.pattern, False, -1, -1, 0.0)
+    return _kind(case), typeof(target), typeof(setup.pattern)
+
+
+def _kind(values: Any) -> Any:
+    """numba's type of a value; of a tuple that kernels take by `reference`, that of the reference."""
+    from numba import typeof
+
+    name = f"{type(values).__name__}RefType"
+    reference = getattr(sys.modules[type(values).__module__], name, None)
+    if reference is None:
+        return typeof(values)
+    return reference([(field, _kind(value)) for field, value in values._asdict().items()])
+
+
+if __name__ == "__main__":
+    compile_late_kernels()
