@@ -23,25 +23,23 @@ from ptbatch.tendon_losses import tendon_losses
 ROWS = 1200  # most steps recorded of one member
 FPE_TOLERANCE = 1e-6
 BUDGET = 30_000  # iterations of one member at most
-OTHER_STEPS = (
-    1.1,
-    1.3,
-)  # where cracks open at once, it depends on the steps whether a way past them is found
+OTHER_STEPS = (1.1, 1.3)  # times as fine: where cracks open at once, steps decide on whether a way is found
 
 
 def analyse(member: Member, *, refine: float = 1.0) -> Response:
     """Analyse a member through all its stages.
 
-    refine: divide the steps of the live load by this. A member that does not converge under it is analysed
-    again with somewhat other steps; if it still does not, nothing is raised: see Response.status.
+    refine: divide the steps of the live load by this. A member that finds no equilibrium under live load is
+    analysed again with OTHER_STEPS; if it still finds none, nothing is raised: see Response.status.
     """
     response = through_the_stages(member, refine)
     for share in OTHER_STEPS:
-        if response.status != "not converged" or response.curve is None:
+        loaded, spent = response.curve is not None, response.newton_iterations
+        if response.status != "not converged" or not loaded or spent >= BUDGET:
             break
-        again, before = through_the_stages(member, share * refine), response.newton_iterations
-        response = response if again.status == "not converged" else again
-        response = replace(response, newton_iterations=before + again.newton_iterations)
+        again = through_the_stages(member, share * refine)
+        told = response if again.status == "not converged" else again
+        response = replace(told, newton_iterations=spent + again.newton_iterations)
     return response
 
 

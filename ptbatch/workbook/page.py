@@ -56,11 +56,6 @@ class Page:
         self._styles = [Styles(partial(self._cell, form=form), i) for i, form in enumerate(self._formats, 1)]
         self._quick = takes_markup(sheet, self._number)
 
-    @property
-    def full(self) -> bool:
-        """Whether no more rows go in."""
-        return self._number.next > LAST_ROW
-
     def add(self, values: Sequence[Any]) -> None:
         """Add a row. Raises FullSheetError."""
         self.extend([[value] for value in values])
