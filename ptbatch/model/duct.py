@@ -81,9 +81,12 @@ def turning_tables(profile: Profile, line: Duct) -> tuple[Array, Array, Array]:
     inside = at[:-1, None] + width * FEW_POINTS
     ds = width * np.hypot(1.0, profile.slope(inside)) * FEW_WEIGHTS
 
+    everywhere = np.concatenate([inside.ravel(), right, left])
+
     def table(integrand: Callable[[Array], Array]) -> Array:
-        integral = np.cumsum((integrand(inside) * ds).sum(axis=1))
-        return np.column_stack([np.append(0.0, integral), integrand(right), integrand(left)])
+        within, beside = np.split(integrand(everywhere), [inside.size])
+        integral = np.cumsum((within.reshape(ds.shape) * ds).sum(axis=1))
+        return np.column_stack([np.append(0.0, integral), beside.reshape(2, -1).T])
 
     return profile.arc_length(at), table(profile.angle), table(line.direction)
 
