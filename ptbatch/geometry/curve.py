@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Side = Literal["left", "right"]
 
-PLACES = 401  # of the table from arc length to place
+PLACES = 801  # of the table from arc length to place
 KINK = 1e-9  # rad; a smaller change of direction is round-off
 GAUSS_POINTS, GAUSS_WEIGHTS = (leggauss(20) + np.array([[1.0], [0.0]])) / 2.0  # on (0, 1)
 FEW_POINTS, FEW_WEIGHTS = (leggauss(8) + np.array([[1.0], [0.0]])) / 2.0
