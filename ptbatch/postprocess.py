@@ -172,8 +172,9 @@ def _states(
 def _last_row(run: Run, stage: int) -> int | None:
     """The last row of a stage; None where it was not reached."""
     history = run.rig.case.history
-    rows = np.flatnonzero(history.stage[: history.rows[0]] == stage)
-    return int(rows[-1]) if rows.size else None
+    recorded = history.stage[: history.rows[0]]  # in the order of the stages
+    last = int(np.searchsorted(recorded, stage, side="right")) - 1
+    return last if last >= 0 and recorded[last] == stage else None
 
 
 def _service_rows(run: Run) -> NDArray[np.int64]:

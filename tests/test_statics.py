@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 
 from ptbatch.analysis import serve
 from ptbatch.member import Load
+from ptbatch.model.beam_theory import nodal_loads
 from ptbatch.stages import ANCHORING, LIVE, SUSTAINED
 from ptbatch.statics import node_values, section_moments
 from tests.members import ELASTIC, KINDS, SMALL, TWENTY, anchored, last_row, sustained
@@ -62,6 +63,24 @@ def test_elastic_deflections_are_exact_at_the_nodes(case):
     down = node_values(history.u[before] - history.u[after], len(x), 1)
     exact = deflection(x)  # closed form, beam theory
     assert_allclose(down, exact, rtol=1e-5, atol=1e-5 * exact.max())
+
+
+@pytest.mark.parametrize(
+    ("start", "end"), [(0.0, 10.0), (1.0, 6.0), (0.5, 0.75), (2.0, 2.5), (5.5, 10.0), (0.0, 1.0)]
+)
+def test_nodal_loads_of_a_part_of_the_member(start, end):
+    """Closed form: force, moment and the shares of a whole element, wherever the load begins and ends."""
+    x = np.array([0.0, 1.0, 3.0, 6.0, 10.0])
+    nodal = nodal_loads(x, [Load("live", "uniform", start, end, 7.0)])
+    size = 7.0 * (end - start)
+    assert nodal[:, 0].sum() == pytest.approx(-size)
+    assert (nodal[:, 0] * x + nodal[:, 1]).sum() == pytest.approx(-size * 0.5 * (start + end))
+    if (start, end) == (0.0, 1.0):  # all of the first element, whose ends would be held by q h^2 / 12
+        assert_allclose(nodal[:2], [[-3.5, -7.0 / 12.0], [-3.5, 7.0 / 12.0]])
+    assert not nodal[x > x[np.searchsorted(x, end)]].any() and not nodal[x < x[x <= start].max()].any()
+    middle = 0.3 * start + 0.7 * end
+    parts = [Load("live", "uniform", start, middle, 7.0), Load("live", "uniform", middle, end, 7.0)]
+    assert_allclose(nodal_loads(x, parts), nodal, atol=1e-13 * size)
 
 
 def reactions(run, row, loads):

@@ -11,8 +11,6 @@ from ptbatch.member import Load, Member
 
 Array = NDArray[np.float64]
 
-GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(3)
-
 
 def hermite(xi: Array | float, h: Array | float) -> Array:
     """Weights (4, ...) of v1, theta1, v2, theta2 in the deflection at xi of an element of length h."""
@@ -37,14 +35,28 @@ def nodal_loads(x: Array, loads: Iterable[Load]) -> Array:
             h = x[e + 1] - x[e]
             nodal[e : e + 2] -= load.value * hermite((load.x - x[e]) / h, h).reshape(2, 2)
             continue
-        under = np.flatnonzero((x[:-1] < load.x_end) & (x[1:] > load.x))
-        left, right = x[under], x[under + 1]
-        a, b, h = np.maximum(load.x, left), np.minimum(load.x_end, right), (right - left)[:, None]
-        xi = (0.5 * (a + b)[:, None] + 0.5 * (b - a)[:, None] * GAUSS - left[:, None]) / h
-        shares = -load.value * 0.5 * (b - a) * (hermite(xi, h) @ WEIGHTS)
-        nodal[under] += shares[:2].T
-        nodal[under + 1] += shares[2:].T
+        under = slice(*np.searchsorted(x, [load.x, load.x_end], side="right") - [1, 0])
+        left, h = x[:-1][under], np.diff(x)[under]
+        a, b = np.maximum(load.x - left, 0.0) / h, np.minimum((load.x_end - left) / h, 1.0)
+        shares = load.value * h * (hermite_integral(a, h) - hermite_integral(b, h))
+        nodal[:-1][under] += shares[:2].T
+        nodal[1:][under] += shares[2:].T
     return nodal
+
+
+def hermite_integral(xi: Array, h: Array) -> Array:
+    """Integral (4, ...) of `hermite` over xi, from zero on."""
+    square, half = xi * xi, 0.5 * xi
+    cube = square * xi
+    rest = half * cube  # xi^4 / 2
+    return np.array(
+        [
+            xi - cube + rest,
+            h * (0.5 * square - 2.0 / 3.0 * cube + 0.5 * rest),
+            cube - rest,
+            h * (0.5 * rest - cube / 3.0),
+        ]
+    )
 
 
 def held_nodes(member: Member, x: Array) -> list[tuple[int, bool, bool, bool]]:
