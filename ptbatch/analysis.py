@@ -34,19 +34,19 @@ def analyse(member: Member, *, refine: float = 1.0) -> Response:
     """
     response = through_the_stages(member, refine)
     for share in OTHER_STEPS:
-        loaded, spent = response.curve is not None, response.newton_iterations
-        if response.status != "not converged" or not loaded or spent >= BUDGET:
+        if response.status != "not converged" or response.curve is None:
             break
-        again = through_the_stages(member, share * refine)
+        again = through_the_stages(member, share * refine, response.newton_iterations)
         told = response if again.status == "not converged" else again
-        response = replace(told, newton_iterations=spent + again.newton_iterations)
+        response = replace(told, newton_iterations=again.newton_iterations)
     return response
 
 
-def through_the_stages(member: Member, refine: float) -> Response:
-    """Analyse a member once."""
+def through_the_stages(member: Member, refine: float, spent: int = 0) -> Response:
+    """Analyse a member once; spent: iterations of its budget that are gone already."""
     setup, loss = set_up(member), None
     run = prepare(setup, jacking_stress(setup))
+    run.rig.case.work.spent[:] = spent
     try:
         stress(run)
         if member.fpe is not None:

@@ -30,9 +30,9 @@ def cracks_at(recorded: Recorded, steps: Sequence[int], thickness: Array) -> lis
     found, done = [], 0
     for step in steps:
         middle = min(max(done, young), step + 1)
-        cracked |= _cracked_young(recorded, slice(done, middle))
+        cracked |= _cracked_by_height(recorded, slice(done, middle))
         for start in range(middle, step + 1, CHUNK):
-            cracked |= _cracked_aged(recorded, slice(start, min(start + CHUNK, step + 1)))
+            cracked |= _cracked_by_layer(recorded, slice(start, min(start + CHUNK, step + 1)))
         done = step + 1
         found.append(tuple(_stretches(cracked.reshape(-1, len(model.layer_y)), model, thickness)))
     return found
@@ -43,7 +43,7 @@ def _limit(model: Model) -> float:
     return ROUND_OFF if concrete.tension_law == NO_TENSION else concrete.eps_cr
 
 
-def _cracked_young(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
+def _cracked_by_height(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
     """Which layers (n, 2, layers) crack in steps without creep or shrinkage. Strains are straight lines: a
     section cracks up to the height, or from the height on, where its line is at the limit."""
     model = recorded.model
@@ -57,7 +57,7 @@ def _cracked_young(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
     return np.asarray((model.layer_y < up_to) | (model.layer_y > from_on) | through)
 
 
-def _cracked_aged(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
+def _cracked_by_layer(recorded: Recorded, steps: slice) -> NDArray[np.bool_]:
     """The same in any steps."""
     return np.asarray(recorded.layer_strain(steps).max(axis=0) > _limit(recorded.model))
 

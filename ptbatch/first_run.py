@@ -28,8 +28,8 @@ def compile_ahead() -> None:
         _helpers.append(subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet))
 
 
-def compile_late_kernels() -> None:
-    """Compile what the first process comes to late, in that order, by the types that it will have there."""
+def late_kernels() -> dict[Any, tuple[Any, ...]]:
+    """What the first process comes to late, in that order, and the types that it will have there."""
     from numba import types
 
     from ptbatch.core.assembly import tangent
@@ -39,14 +39,12 @@ def compile_late_kernels() -> None:
 
     case, target, vector = kinds()
     whole, real, part = types.int64, types.float64, case.field_dict
-    late: Any = {
+    return {
         tangent: (part["model"], part["state"], vector, part["ends"], types.boolean, real, part["work"]),
         imbalance_as_evaluated: (case, target, real),
         accept: (case, whole, real, whole, real),
         demands_as_evaluated: (case,),
     }
-    for kernel, signature in late.items():
-        kernel.compile(signature)
 
 
 def kinds() -> tuple[Any, Any, Any]:
@@ -78,4 +76,5 @@ def _kind(values: Any) -> Any:
 
 
 if __name__ == "__main__":
-    compile_late_kernels()
+    for kernel, signature in late_kernels().items():
+        kernel.compile(signature)

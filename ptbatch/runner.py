@@ -42,12 +42,18 @@ def _in_order(
     analyse: Callable[[Member], Outcome] | None = None
     queue: deque[Future[Outcome]] = deque()
     for member in members:
-        analyse = analyse or engine()
+        analyse = analyse or _compiling_engine()
         queue.append(pool.submit(_unless_stopped, analyse, member, stop))
         while queue and (queue[0].done() or len(queue) >= ahead):
             yield _result(queue.popleft())
     while queue:
         yield _result(queue.popleft())
+
+
+def _compiling_engine() -> Callable[[Member], Outcome]:
+    """The engine of this process, for which another one compiles ahead."""
+    compile_ahead()
+    return engine()
 
 
 def _unless_stopped(analyse: Callable[[Member], Outcome], member: Member, stop: Event) -> Outcome:
@@ -65,7 +71,6 @@ def engine() -> Callable[[Member], Outcome]:
 
     What it needs is imported here, before any thread starts.
     """
-    compile_ahead()
     from ptbatch.analysis import analyse
     from ptbatch.design.checks import checks, subject
     from ptbatch.tables import (
@@ -90,8 +95,8 @@ def engine() -> Callable[[Member], Outcome]:
             summary = {"time [ms]": time} | summary_row(member, response, found)
             tables = {
                 "tendon": tendon_table(member, response),
-                "curves": curve_table(member, response),
-                "cracks": crack_table(member, response),
+                "curves": curve_table(response),
+                "cracks": crack_table(response),
                 "checks": check_table(found),
                 "elongation": elongation_table(member, response),
                 "losses": loss_table(response),

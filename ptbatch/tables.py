@@ -187,7 +187,7 @@ def tendon_table(member: Member, response: Response) -> Columns:
     return table
 
 
-def curve_table(member: Member, response: Response) -> Columns:
+def curve_table(response: Response) -> Columns:
     """`curves`: one row a recorded step from the anchored state on, with what happened by then."""
     curve = response.curve
     if curve is None:
@@ -209,7 +209,7 @@ def curve_table(member: Member, response: Response) -> Columns:
     }
 
 
-def crack_table(member: Member, response: Response) -> Columns:
+def crack_table(response: Response) -> Columns:
     """`cracks`: one row a cracked stretch of a section, at each stage that was looked at."""
     curve, peak = response.curve, response.event("peak")
     if curve is None:

@@ -9,10 +9,10 @@ from types import SimpleNamespace
 from typing import Any
 
 from ptbatch.geometry.curve import Profile
-from ptbatch.geometry.profile import KEPT, ideal_profile
+from ptbatch.geometry.profile import DRAWN, KEPT, ideal_profile
 from ptbatch.losses import Losses, analytic_losses
 
-PATH = ("span", "profile", "dp", "profile_points", "h", "inflection", "harp")
+PATH = (*DRAWN, "h")  # the depth, which the tendon has to stay within
 FRICTION = ("mu", "K", "Ep", "set", "jack")
 
 

@@ -19,6 +19,12 @@ BEAM = {
 }
 
 
+@pytest.fixture(autouse=True)
+def alone(monkeypatch):
+    """No second process compiles beside the tests."""
+    monkeypatch.setattr("ptbatch.runner.compile_ahead", lambda: None)
+
+
 @pytest.fixture
 def beam():
     """A sound row, by header."""
@@ -75,7 +81,6 @@ def engine(monkeypatch):
             "curve_table": lambda *_: dict.fromkeys(CURVES, [2.0] * 2) | {"event": ["peak"] * 2},
         },
     }
-    monkeypatch.setattr("ptbatch.runner.compile_ahead", lambda: None)
     for name, content in fakes.items():
         module = ModuleType(f"ptbatch.{name}")
         vars(module).update(content)

@@ -54,12 +54,27 @@ def test_laws_without_cracks_and_without_tension():
     assert all(c.top == pytest.approx(250.0) for c in cracks_at(steps, [0], thickness)[0])
 
 
-def test_steps_are_taken_in_any_number_of_chunks():
+@pytest.mark.parametrize("aged", [0, CHUNK - 7, 3 * CHUNK + 5])
+def test_steps_are_taken_in_any_number_of_chunks(aged):
+    """aged: how many of the last steps come after the concrete has crept, by nothing here."""
     curvatures = 1e-6 * np.sin(np.arange(3 * CHUNK + 5))
     steps, thickness = bent(SMALL, *curvatures)
+    alone = cracks_at(steps, [CHUNK, 3 * CHUNK], thickness)
+    steps.aged[len(curvatures) - aged :] = True
     whole = cracks_at(steps, [CHUNK, 3 * CHUNK], thickness)
     each = cracks_at(steps, list(range(3 * CHUNK + 1)), thickness)
-    assert whole == [each[CHUNK], each[3 * CHUNK]]
+    assert whole == [each[CHUNK], each[3 * CHUNK]] == alone
+
+
+@pytest.mark.parametrize("stretch", [0.0, 2e-4, -1e-4])
+def test_heights_of_cracks_are_those_of_the_layers(stretch):
+    """Bent and stretched either way, little and much: by height as layer by layer."""
+    rng = np.random.default_rng(7)
+    steps, thickness = bent(SMALL, *np.append(rng.normal(0.0, 3e-7, 40), 0.0))
+    steps.eps0[:] += stretch * rng.uniform(size=steps.eps0.shape)
+    by_height = cracks_at(steps, [10, 40], thickness)
+    steps.aged[:] = True  # by nothing
+    assert by_height == cracks_at(steps, [10, 40], thickness)
 
 
 def test_simple_beam_cracks_from_the_bottom_and_in_the_middle_third_first():

@@ -7,7 +7,8 @@ import numba
 import pytest
 
 from ptbatch import first_run
-from ptbatch.analysis import jacking_stress, prepare
+from ptbatch.analysis import analyse, jacking_stress, prepare
+from ptbatch.core import store
 from ptbatch.core.case import still
 from ptbatch.member import Member
 from ptbatch.model.arrays import set_up
@@ -18,6 +19,15 @@ def test_types_are_those_of_an_analysis():
     handle = prepare(setup, jacking_stress(setup)).rig.handle
     target = still(setup.pattern, False)
     assert first_run.kinds() == (*map(numba.typeof, (handle, target, setup.pattern)),)
+
+
+@pytest.mark.skipif(store.FOLDER is None, reason="there is no cache")
+def test_what_it_compiles_is_what_an_analysis_uses():
+    """Analyses have filled the cache, since no test lets the second process start: in a new one there is only
+    what they use."""
+    analyse(Member(**first_run.ANY))
+    for kernel, signature in first_run.late_kernels().items():
+        assert kernel._cache._path((signature, kernel.targetctx.codegen().magic_tuple())).exists()
 
 
 @pytest.fixture

@@ -319,3 +319,20 @@ def test_set_that_leaves_the_tendon_slack_is_refused(jack, reversal):
 def test_unknown_jack_is_refused():
     with pytest.raises(ValueError, match="'middle' is none of left, right, both"):
         twenty(jack="middle")
+
+
+@pytest.mark.parametrize(
+    ("span", "mu"), [((8000.0, 7000.0), 0.2), ((8040.0, 8010.0), 0.262), ((9610.0, 9040.0), 0.277)]
+)
+def test_two_jacks_that_pull_alike_at_a_kink(span, mu):
+    """Closed form: straight parts without wobble, and the least stress beside the kink over the support. Half
+    way through it there would be less, but that is the stress of no part of the tendon."""
+    losses = analytic_losses(
+        profile(span, (150.0, 240.0, 60.0, 240.0, 150.0), "harped"), 1300.0, mu, 0.0, EP, 0.0, "both"
+    )
+    parts = np.repeat(span, 3) * np.tile([0.3, 0.3, 0.4], 2)
+    slopes = np.array([90.0, 0.0, -180.0, 180.0, 0.0, -90.0]) / parts
+    kinks = np.abs(np.diff(np.arctan(slopes)))
+    beside = max(kinks[:2].sum(), kinks[3:].sum())
+    assert kinks.sum() / 2.0 > beside  # the jacks pull alike within the kink
+    assert losses.loss_fixed_end == pytest.approx(1.0 - np.exp(-mu * beside), rel=1e-9)

@@ -72,8 +72,8 @@ def _spacing(row: Row) -> float:
 
 def _profile(row: Row) -> Profile:
     shape = SimpleNamespace(
-        span=tuple(length * FOOT for length in _numbers(row["span [ft]"])),
-        dp=tuple(depth * INCH for depth in _numbers(row["dp [in]"])),
+        span=[length * FOOT for length in _numbers(row["span [ft]"])],
+        dp=[depth * INCH for depth in _numbers(row["dp [in]"])],
         profile="parabola",
         inflection=row["inflection"],
         profile_points=(),

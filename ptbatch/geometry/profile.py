@@ -15,7 +15,7 @@ from ptbatch.geometry.curve import Profile
 from ptbatch.geometry.wobble import wavy_profile
 
 DRAWN = ("span", "profile", "dp", "profile_points", "inflection", "harp")  # what an ideal profile depends on
-KEPT = 256  # more members than are read ahead of their analysis
+KEPT = 256  # members that eight workers have read ahead of their analysis
 
 
 def tendon_profile(member: Any) -> Profile:

@@ -5,6 +5,7 @@ lxml), `takes_markup` says no, and rows go the usual way.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from math import inf
 from typing import Any
 from xml.sax.saxutils import escape
@@ -102,10 +103,11 @@ def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], firs
     return Markup("".join(f'<row r="{row}">{line}</row>' for row, line in lines))
 
 
+@dataclass
 class RowNumber:
     """Number of the row that is written next."""
 
-    next = 2
+    next: int = 2
 
 
 def takes_markup(sheet: Any, number: RowNumber) -> bool:

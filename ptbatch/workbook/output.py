@@ -83,7 +83,7 @@ class Output:
             self._add_problems(row.problems)
             if row.member:
                 for name in ECHO:
-                    if lines := list(echo_lines(name, row.member, self._system)):
+                    if lines := echo_lines(name, row.member, self._system):
                         self._add(name, list(zip(*lines, strict=True)))
 
     def finish(self, run: Mapping[str, Any]) -> Path:

@@ -35,8 +35,7 @@ class ParquetTable:
 
     def extend(self, columns: Sequence[Sequence[Any]]) -> None:
         """Add rows, column by column."""
-        own = self._columns[: len(columns)]
-        for values, column, kind in zip(columns, own, self._fields.values(), strict=False):
+        for values, column, kind in zip(columns, self._columns, self._fields.values(), strict=False):
             column += [_as(kind, value) for value in values]
         if self._reasons:
             self._columns[-1] += map(self._why, zip(*columns, strict=True))
