@@ -9,7 +9,7 @@ import numpy as np
 from benchmarks.stagewise import stressed
 from benchmarks.table import Table
 from ptbatch.analysis import serve
-from ptbatch.core.assembly import add_beam, tangent
+from ptbatch.core.assembly import add_beam, place_tendon, tangent
 from ptbatch.core.beam import beam_strains
 from ptbatch.core.case import Target
 from ptbatch.core.equilibrium import imbalance_as_evaluated
@@ -40,6 +40,7 @@ def beams(case, bonded, times):
 def assembled(case, bonded, times):
     """Force and tangent of the member."""
     for _ in range(times):
+        place_tendon(case.model, case.state, case.work.trial, case.work)
         tangent(case.model, case.state, case.work.trial, case.ends, bonded, 0.0, case.work)
 
 
@@ -47,6 +48,7 @@ def assembled(case, bonded, times):
 def solved(case, target, times):
     """The same, with an increment by displacement control."""
     for _ in range(times):
+        place_tendon(case.model, case.state, case.work.trial, case.work)
         tangent(case.model, case.state, case.work.trial, case.ends, target.bonded, 0.0, case.work)
         factorise_tangent(case)
         increment(case, target)

@@ -20,6 +20,7 @@ from ptbatch.core.contact_tangent import contact_tangent
 from ptbatch.core.jit import STEP, cos_sin, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.section import section_forces, section_tangent
+from ptbatch.core.slide import slide
 from ptbatch.core.truss import stretch, tensions, truss_tangent, unit
 from ptbatch.core.turning import roughness
 
@@ -283,11 +284,28 @@ def add_block(matrix, row, column, k, i, j, rows, columns):
 
 
 @kernel
-def tangent(model, state, u, ends, bonded, damping, work):
-    """work.f and work.matrix at u, after a fresh contact search."""
-    n = model.x.size - 1
+def place_tendon(model, state, u, work):
+    """Contact search and tensions at u."""
     find_segments(model, u, work)
     stretch_tendon(model, state, work)
+
+
+@kernel
+def slide_tendon(model, state, u, work):
+    """Move the tendon, as placed, along the duct to where friction balances it: its nodes in u, and what
+    `place_tendon` found. Both its ends are anchored."""
+    if slide(model, state, work):
+        for j in range(1, model.x.size):
+            for i in range(2):
+                u[tendon_dof(j) + i] += work.ahead[j] * work.axis[j, i]
+        work.motion[:] = UNKNOWN
+        place_tendon(model, state, u, work)
+
+
+@kernel
+def tangent(model, state, u, ends, bonded, damping, work):
+    """work.f and work.matrix at u, for which `place_tendon` has placed the tendon."""
+    n = model.x.size - 1
     work.f[:] = 0.0
     work.matrix[:] = 0.0
     beam_strains(model, u, work)

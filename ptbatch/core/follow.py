@@ -23,7 +23,7 @@ LANDINGS = 6  # steps tried to do so
 EASY, HARD = 6, 12  # iterations of a step after which the next one may be longer, should be shorter
 # The curve beyond the first failure lends no capacity: iterations that it may take, how much longer its steps
 # may be
-AFTER_FAILURE, COARSER = 1000, 2.0
+AFTER_FAILURE, COARSER = 300, 2.0
 SHORTER = 3  # step lengths that are tried, each a quarter of the one before
 LONGER = 3  # and after these, for what drives the load cannot turn back but jump: each twice the one before
 HINGE_STEPS = 80  # that a hinge may drive the load before the member is given up,

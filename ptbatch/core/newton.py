@@ -4,12 +4,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.core.assembly import find_segments, internal_forces, stay_on_segments, tangent
+from ptbatch.core.assembly import (
+    find_segments,
+    internal_forces,
+    place_tendon,
+    slide_tendon,
+    stay_on_segments,
+    tangent,
+)
 from ptbatch.core.banded import factorise, half_width, substitute
 from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import PRESCRIBED, tendon_dof
+from ptbatch.core.model import ANCHORED, PRESCRIBED, tendon_dof
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
@@ -24,13 +31,14 @@ SETTLED = 4  # iterations without a lower residual after which one at round-off 
 class Way(NamedTuple):
     """A way of iterating. damping: this share of the uncracked stiffness is added to the tangent in the first
     iteration, and `decay` of it is left from one to the next; search: along each step for the share of it
-    that leaves no work to do."""
+    that leaves no work to do; slides: an anchored tendon slides into balance before each tangent."""
 
     most: int  # iterations, in all and without a lower residual
     patience: int
     damping: float
     decay: float
     search: bool
+    slides: bool
 
 
 @kernel
@@ -202,6 +210,8 @@ def equilibrate(case, target, factor, way):
     least = np.inf
     improved = 0
     damping = way.damping
+    anchored = case.ends.mode[0] == ANCHORED and case.ends.mode[1] == ANCHORED
+    slides = way.slides and anchored and not target.bonded
     reused = np.inf  # residual at the last use of a tangent that is not of its place
     for iteration in range(way.most):
         if norm <= NEAR:  # the last step may have arrived: a tangent would be too much for a look
@@ -218,6 +228,9 @@ def equilibrate(case, target, factor, way):
                 continue
         if way.search:
             work.motion[:] = UNKNOWN
+        place_tendon(case.model, case.state, work.trial, work)
+        if slides:
+            slide_tendon(case.model, case.state, work.trial, work)
         tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)
         unbalance(case, target, factor)
         norm = residual_norm(case)

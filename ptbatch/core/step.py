@@ -8,16 +8,17 @@ from ptbatch.core.jit import kernel
 from ptbatch.core.newton import CONVERGED, Way, equilibrate
 
 # What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may
-# leave no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps
-# are for friction that turns round everywhere.
+# leave no equilibrium near by: damped steps lead on to the next one, slowly where they must; between
+# these the tendon does not slide, for beyond crushing fewer would arrive. Searched steps are for what
+# turns to and fro.
 WAYS = (
-    Way(20, 4, 0.0, 1.0, False),
-    Way(40, 40, 0.2, 0.7, False),
-    Way(30, 4, 0.0, 1.0, True),
+    Way(20, 4, 0.0, 1.0, False, True),
+    Way(40, 40, 0.2, 0.7, False, False),
+    Way(30, 4, 0.0, 1.0, True, True),
 )
-# Where no step went before in the same direction, one tendon node after the other may turn round before the
-# residual falls.
-AFRESH = Way(100, 40, 0.0, 1.0, False)
+# Where no step went before in the same direction, one node of a tendon that is not anchored may turn round
+# after the other before the residual falls.
+AFRESH = Way(100, 40, 0.0, 1.0, False, True)
 SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
 UNBALANCED = 4  # and: the iteration converged to what statics does not confirm
 

@@ -57,6 +57,17 @@ class Work(NamedTuple):
     z6: np.ndarray  # complex
     w6: np.ndarray
     d7: np.ndarray  # (7, 2)
+    # The tendon as a chain, see `slide`, of its nodes:
+    ahead: np.ndarray  # (n+2,) how far they move on; zero at the anchors
+    axis: np.ndarray  # (n+2, 2) in which direction
+    along: np.ndarray  # (n+2, 2) cosines of the chords left and right to that
+    grip: np.ndarray  # (n+2, 2) most friction by the tensions left and right
+    sense: np.ndarray  # (n+2,) int, how they move along the duct
+    diagonal: np.ndarray  # (n+2,)
+    upper: np.ndarray  # (n+2,)
+    moved: np.ndarray  # (2n+1,) of the kinks
+    pull: np.ndarray  # (2n+1,)
+    turner: np.ndarray  # (2n+1,) int
 
 
 WorkRef = reference(Work, "WorkRef")
@@ -102,5 +113,11 @@ def new_work(n: int, half: int) -> Work:
         np.zeros((8, 12)),
         *complex_scratch,
         np.zeros((7, 2)),
+        np.zeros(n + 2),
+        *[np.zeros((n + 2, 2)) for _ in range(3)],
+        np.zeros(n + 2, np.int64),
+        *[np.zeros(n + 2) for _ in range(2)],
+        *[np.zeros(2 * n + 1) for _ in range(2)],
+        np.zeros(2 * n + 1, np.int64),
     ]
     return Work(*arrays)

@@ -4,7 +4,7 @@ import numba
 import numpy as np
 import pytest
 
-from ptbatch.core.assembly import internal_forces, stay_on_segments, tangent
+from ptbatch.core.assembly import internal_forces, place_tendon, stay_on_segments, tangent
 from ptbatch.core.beam import chord
 from ptbatch.core.contact import (
     BACKWARD,
@@ -33,6 +33,7 @@ def forces_and_tangent(case, u, bonded, was, damping):
     """Every inner node comes from an iteration in which its motion was `was`."""
     case.work.motion[:] = UNKNOWN
     case.work.motion[1:-1] = was
+    place_tendon(case.model, case.state, u, case.work)
     tangent(case.model, case.state, u, case.ends, bonded, damping, case.work)
     return case.work.f.copy(), case.work.matrix.copy()
 

@@ -1,0 +1,186 @@
+"""Where the tendon lies in its duct while the beam and the anchors stand still.
+
+The tendon alone is a chain of elements between nodes that friction holds. Whether one node slides depends on
+all others; Newton's method looks at each alone and turns them round one after the other, an iteration each.
+Here all are found in one pass.
+
+The further a node has moved, the larger the tension on its left, whatever lies to its right: a line in these
+two, with two kinks for each node to the left, where that begins to slide back and forth. An element carries
+the line on from one node to the next, which adds its own kinks, and at the right anchor, which stands still,
+the line tells on which side of each kink the tendon is.
+"""
+
+from ptbatch.core.contact import ALMOST, BACKWARD, FORWARD, STICKING, bisector
+from ptbatch.core.jit import inlined, kernel
+
+UNEVEN = 1e-5  # of the largest tension: what is less out of balance is left to Newton's method
+ROUND_OFF = 1e-6  # of a friction force
+
+
+@kernel
+def slide(model, state, work):
+    """Find how far the inner tendon nodes slide (work.ahead, along work.axis) until friction balances the
+    tensions, if these grow with the elements' lengths as they do now; false where no node has begun to move
+    in another way since the last tangent, or next to nothing is out of balance."""
+    n, contact = model.x.size - 1, model.contact
+    lay_out(n, work, contact)
+    if not turns(n, state, work, contact):
+        return False
+    find_senses(n, state, work, contact)
+    solve(n, state, work, contact)
+    return agrees(n, state, work, contact)
+
+
+@kernel
+def lay_out(n, work, contact):
+    """The chain as it lies: directions, and how each node's friction grows with the tensions beside it."""
+    for j in range(1, n + 1):
+        e3, e4 = (work.chord[j - 1, 0], work.chord[j - 1, 1]), (work.chord[j, 0], work.chord[j, 1])
+        ux, uy = bisector(e3, e4)
+        into3, into4 = e3[0] * uy - e3[1] * ux, e4[1] * ux - e4[0] * uy
+        mu = contact.mu if into3 + into4 >= 0.0 else -contact.mu
+        work.axis[j, 0], work.axis[j, 1] = ux, uy
+        work.along[j, 0], work.along[j, 1] = e3[0] * ux + e3[1] * uy, e4[0] * ux + e4[1] * uy
+        work.grip[j, 0] = mu * into3 + 0.5 * work.rough[j]
+        work.grip[j, 1] = mu * into4 + 0.5 * work.rough[j]
+        work.ahead[j] = 0.0
+
+
+@inlined
+def tension(e, work):
+    """Tension of element e when the nodes at its ends have moved on."""
+    far = work.ahead[e + 1] * work.along[e + 1, 0]
+    return work.T[e] + work.slope[e] * (far - work.ahead[e] * work.along[e, 1])
+
+
+@inlined
+def stuck(j, state, work, contact):
+    """Friction of a node that sticks, where it is now."""
+    return state.rub[j] + contact.tangential * (work.s[j] - state.s[j])
+
+
+@kernel
+def coulomb(j, state, work, contact):
+    """(Sense, friction) of node j by the law, where it has moved on to; see `friction`."""
+    capacity = max(work.grip[j, 0] * tension(j - 1, work) + work.grip[j, 1] * tension(j, work), 0.0)
+    trial = stuck(j, state, work, contact) + contact.tangential * work.ahead[j]
+    if trial >= ALMOST * capacity:
+        return FORWARD, capacity
+    if trial <= -ALMOST * capacity:
+        return BACKWARD, -capacity
+    return STICKING, trial
+
+
+@kernel
+def turns(n, state, work, contact):
+    """Whether a node moves in another way than at the last tangent, and a node is out of balance."""
+    changes = False
+    worst = largest = 0.0
+    for j in range(1, n + 1):
+        sense, friction = coulomb(j, state, work, contact)
+        changes = changes or sense != work.motion[j]
+        rest = work.T[j] * work.along[j, 1] - work.T[j - 1] * work.along[j, 0] - friction
+        worst, largest = max(worst, abs(rest)), max(largest, work.T[j])
+    return changes and worst > UNEVEN * largest
+
+
+@kernel
+def find_senses(n, state, work, contact):
+    """work.sense of all nodes in equilibrium, from the line that the kinks (work.moved, work.pull: how far
+    and the tension there; work.turner: whose, less than zero where that slides back) are on, from the lowest
+    to the highest."""
+    x, T, whose = work.moved, work.pull, work.turner
+    x[0], T[0], whose[0] = 0.0, work.T[0], 0  # a point of the first line, which has no kink
+    size = 1
+    before = (1.0, work.slope[0] * work.along[1, 0])  # how the line goes on below the lowest kink
+    beyond = before  # and above the highest
+    for j in range(1, n + 1):
+        a3, a4, g3, g4 = work.along[j, 0], work.along[j, 1], work.grip[j, 0], work.grip[j, 1]
+        # T4 of a node that slides back, slides on, sticks: back * T3, on * T3, by_0 + by_t * T3 + by_x * x
+        back, on = (a3 - g3) / (a4 + g4), (a3 + g3) / (a4 - g4)
+        by_0, by_t, by_x = stuck(j, state, work, contact) / a4, a3 / a4, contact.tangential / a4
+        low = 0  # kinks below where the node ceases to slide back, and below where it begins to slide on
+        while low < size and by_0 + (by_t - back) * T[low] + by_x * x[low] <= 0.0:
+            low += 1
+        high = low
+        while high < size and by_0 + (by_t - on) * T[high] + by_x * x[high] <= 0.0:
+            high += 1
+        low_x, low_t = crossing(low, size, x, T, before, beyond, by_0, by_t - back, by_x)
+        high_x, high_t = crossing(high, size, x, T, before, beyond, by_0, by_t - on, by_x)
+        for i in range(size - 1, high - 1, -1):
+            x[i + 2], T[i + 2], whose[i + 2] = x[i], T[i] * on, whose[i]
+        for i in range(high - 1, low - 1, -1):
+            x[i + 1], T[i + 1], whose[i + 1] = x[i], by_0 + by_t * T[i] + by_x * x[i], whose[i]
+        for i in range(low):
+            T[i] *= back
+        x[low], T[low], whose[low] = low_x, low_t * back, -j
+        x[high + 1], T[high + 1], whose[high + 1] = high_x, high_t * on, j
+        size += 2
+        # over the element to the next node, or to the anchor, which nothing has turned away from
+        slope, rest = work.slope[j], work.T[j]
+        cosine = work.along[j + 1, 0] if j < n else 1.0
+        for i in range(size):
+            x[i] = (x[i] * a4 + (T[i] - rest) / slope) / cosine
+        before = ((before[0] * a4 + before[1] * back / slope) / cosine, before[1] * back)
+        beyond = ((beyond[0] * a4 + beyond[1] * on / slope) / cosine, beyond[1] * on)
+        work.sense[j] = STICKING
+    for i in range(size):
+        if x[i] <= 0.0 and whose[i] > 0:
+            work.sense[whose[i]] = FORWARD
+        elif x[i] > 0.0 and whose[i] < 0:
+            work.sense[-whose[i]] = BACKWARD
+
+
+@inlined
+def crossing(i, size, x, T, before, beyond, by_0, by_t, by_x):
+    """Where by_0 + by_t T + by_x x passes zero on the line below kink i."""
+    if i == 0:
+        share = (by_0 + by_t * T[0] + by_x * x[0]) / (by_t * before[1] + by_x * before[0])
+        return x[0] - share * before[0], T[0] - share * before[1]
+    below = by_0 + by_t * T[i - 1] + by_x * x[i - 1]
+    if i == size:
+        share = -below / (by_t * beyond[1] + by_x * beyond[0])
+        return x[i - 1] + share * beyond[0], T[i - 1] + share * beyond[1]
+    share = below / (below - (by_0 + by_t * T[i] + by_x * x[i]))
+    return x[i - 1] + share * (x[i] - x[i - 1]), T[i - 1] + share * (T[i] - T[i - 1])
+
+
+@kernel
+def solve(n, state, work, contact):
+    """work.ahead of nodes that move as work.sense says: a tridiagonal system, whose diagonal and upper side
+    are left in work.diagonal and work.upper."""
+    for j in range(1, n + 1):
+        a3, a4, k3, k4 = work.along[j, 0], work.along[j, 1], work.slope[j - 1], work.slope[j]
+        by3, by4, spring, friction = a3, a4, 0.0, 0.0
+        if work.sense[j] == STICKING:
+            spring, friction = contact.tangential, stuck(j, state, work, contact)
+        else:
+            sign = 1.0 if work.sense[j] == FORWARD else -1.0
+            by3 += sign * work.grip[j, 0]
+            by4 -= sign * work.grip[j, 1]
+        diagonal = -by4 * k4 * a4 - by3 * k3 * a3 - spring
+        right = friction + by3 * work.T[j - 1] - by4 * work.T[j]
+        if j > 1:
+            multiplier = by3 * k3 * work.along[j - 1, 1] / work.diagonal[j - 1]
+            diagonal -= multiplier * work.upper[j - 1]
+            right -= multiplier * work.ahead[j - 1]
+        work.diagonal[j], work.ahead[j] = diagonal, right
+        work.upper[j] = by4 * k4 * work.along[j + 1, 0]
+    for j in range(n, 0, -1):
+        work.ahead[j] = (work.ahead[j] - work.upper[j] * work.ahead[j + 1]) / work.diagonal[j]
+
+
+@kernel
+def agrees(n, state, work, contact):
+    """Whether the law says the same as work.sense where the nodes have moved on to, but for round-off: it
+    does not where the tendon would be slack."""
+    for j in range(1, n + 1):
+        capacity = work.grip[j, 0] * tension(j - 1, work) + work.grip[j, 1] * tension(j, work)
+        trial = stuck(j, state, work, contact) + contact.tangential * work.ahead[j]
+        near = ROUND_OFF * (abs(capacity) + UNEVEN * abs(work.T[j]))
+        if work.sense[j] == STICKING:
+            if not abs(trial) <= capacity + near:
+                return False
+        elif not (trial if work.sense[j] == FORWARD else -trial) >= capacity - near:
+            return False
+    return True
