@@ -31,7 +31,7 @@ def slide(model, state, work):
     return agrees(n, state, work, contact)
 
 
-@kernel
+@inlined
 def lay_out(n, work, contact):
     """The chain as it lies: directions, and how each node's friction grows with the tensions beside it."""
     for j in range(1, n + 1):
@@ -59,7 +59,7 @@ def stuck(j, state, work, contact):
     return state.rub[j] + contact.tangential * (work.s[j] - state.s[j])
 
 
-@kernel
+@inlined
 def coulomb(j, state, work, contact):
     """(Sense, friction) of node j by the law, where it has moved on to; see `friction`."""
     capacity = max(work.grip[j, 0] * tension(j - 1, work) + work.grip[j, 1] * tension(j, work), 0.0)
@@ -71,7 +71,7 @@ def coulomb(j, state, work, contact):
     return STICKING, trial
 
 
-@kernel
+@inlined
 def turns(n, state, work, contact):
     """Whether a node moves in another way than at the last tangent, and a node is out of balance."""
     changes = False
@@ -84,7 +84,7 @@ def turns(n, state, work, contact):
     return changes and worst > UNEVEN * largest
 
 
-@kernel
+@inlined
 def find_senses(n, state, work, contact):
     """work.sense of all nodes in equilibrium, from the line that the kinks (work.moved, work.pull: how far
     and the tension there; work.turner: whose, less than zero where that slides back) are on, from the lowest
@@ -145,7 +145,7 @@ def crossing(i, size, x, T, before, beyond, by_0, by_t, by_x):
     return x[i - 1] + share * (x[i] - x[i - 1]), T[i - 1] + share * (T[i] - T[i - 1])
 
 
-@kernel
+@inlined
 def solve(n, state, work, contact):
     """work.ahead of nodes that move as work.sense says: a tridiagonal system, whose diagonal and upper side
     are left in work.diagonal and work.upper."""
@@ -170,7 +170,7 @@ def solve(n, state, work, contact):
         work.ahead[j] = (work.ahead[j] - work.upper[j] * work.ahead[j + 1]) / work.diagonal[j]
 
 
-@kernel
+@inlined
 def agrees(n, state, work, contact):
     """Whether the law says the same as work.sense where the nodes have moved on to, but for round-off: it
     does not where the tendon would be slack."""
