@@ -10,7 +10,7 @@ the line on from one node to the next, which adds its own kinks, and at the righ
 the line tells on which side of each kink the tendon is.
 """
 
-from ptbatch.core.contact import ALMOST, BACKWARD, FORWARD, STICKING, bisector
+from ptbatch.core.contact import BACKWARD, FORWARD, STICKING, UNKNOWN, bisector, friction
 from ptbatch.core.jit import inlined, kernel
 
 UNEVEN = 1e-5  # of the largest tension: what is less out of balance is left to Newton's method
@@ -43,7 +43,6 @@ def lay_out(n, work, contact):
         work.along[j, 0], work.along[j, 1] = e3[0] * ux + e3[1] * uy, e4[0] * ux + e4[1] * uy
         work.grip[j, 0] = mu * into3 + 0.5 * work.rough[j]
         work.grip[j, 1] = mu * into4 + 0.5 * work.rough[j]
-        work.ahead[j] = 0.0
 
 
 @inlined
@@ -60,26 +59,17 @@ def stuck(j, state, work, contact):
 
 
 @inlined
-def coulomb(j, state, work, contact):
-    """(Sense, friction) of node j by the law, where it has moved on to; see `friction`."""
-    capacity = max(work.grip[j, 0] * tension(j - 1, work) + work.grip[j, 1] * tension(j, work), 0.0)
-    trial = stuck(j, state, work, contact) + contact.tangential * work.ahead[j]
-    if trial >= ALMOST * capacity:
-        return FORWARD, capacity
-    if trial <= -ALMOST * capacity:
-        return BACKWARD, -capacity
-    return STICKING, trial
-
-
-@inlined
 def turns(n, state, work, contact):
     """Whether a node moves in another way than at the last tangent, and a node is out of balance."""
     changes = False
     worst = largest = 0.0
     for j in range(1, n + 1):
-        sense, friction = coulomb(j, state, work, contact)
+        capacity = work.grip[j, 0] * work.T[j - 1] + work.grip[j, 1] * work.T[j]
+        slip = work.s[j] - state.s[j]
+        # the law makes the capacity of N and T; here it is known as a whole
+        force, sense = friction(slip, state.rub[j], 0.0, capacity, 1.0, UNKNOWN, contact)
         changes = changes or sense != work.motion[j]
-        rest = work.T[j] * work.along[j, 1] - work.T[j - 1] * work.along[j, 0] - friction
+        rest = work.T[j] * work.along[j, 1] - work.T[j - 1] * work.along[j, 0] - force
         worst, largest = max(worst, abs(rest)), max(largest, work.T[j])
     return changes and worst > UNEVEN * largest
 
@@ -151,15 +141,15 @@ def solve(n, state, work, contact):
     are left in work.diagonal and work.upper."""
     for j in range(1, n + 1):
         a3, a4, k3, k4 = work.along[j, 0], work.along[j, 1], work.slope[j - 1], work.slope[j]
-        by3, by4, spring, friction = a3, a4, 0.0, 0.0
+        by3, by4, spring, force = a3, a4, 0.0, 0.0
         if work.sense[j] == STICKING:
-            spring, friction = contact.tangential, stuck(j, state, work, contact)
+            spring, force = contact.tangential, stuck(j, state, work, contact)
         else:
             sign = 1.0 if work.sense[j] == FORWARD else -1.0
             by3 += sign * work.grip[j, 0]
             by4 -= sign * work.grip[j, 1]
         diagonal = -by4 * k4 * a4 - by3 * k3 * a3 - spring
-        right = friction + by3 * work.T[j - 1] - by4 * work.T[j]
+        right = force + by3 * work.T[j - 1] - by4 * work.T[j]
         if j > 1:
             multiplier = by3 * k3 * work.along[j - 1, 1] / work.diagonal[j - 1]
             diagonal -= multiplier * work.upper[j - 1]
