@@ -35,12 +35,14 @@ def late_kernels() -> dict[Any, tuple[Any, ...]]:
     from ptbatch.core.assembly import tangent
     from ptbatch.core.equilibrium import imbalance_as_evaluated
     from ptbatch.core.failure import demands_as_evaluated
+    from ptbatch.core.reference import ReferenceType
     from ptbatch.core.step import accept
 
     case, target, vector = kinds()
-    whole, real, part = types.int64, types.float64, case.field_dict
+    whole, real = types.int64, types.float64
+    model, state, ends, work = (ReferenceType(case.field(name)[1]) for name in ("model", "state", "ends", "work"))
     return {
-        tangent: (part["model"], part["state"], vector, part["ends"], types.boolean, real, part["work"]),
+        tangent: (model, state, vector, ends, types.boolean, real, work),
         imbalance_as_evaluated: (case, target, real),
         accept: (case, whole, real, whole, real),
         demands_as_evaluated: (case,),
@@ -53,6 +55,7 @@ def kinds() -> tuple[Any, Any, Any]:
 
     from ptbatch.analysis import jacking_stress, laid_out
     from ptbatch.core.case import Target
+    from ptbatch.core.reference import ReferenceType
     from ptbatch.member import Member
     from ptbatch.model.arrays import set_up
     from ptbatch.tendon_losses import tendon_losses
@@ -61,18 +64,7 @@ def kinds() -> tuple[Any, Any, Any]:
     fpj = jacking_stress(setup)
     case, _ = laid_out(setup, tendon_losses(vars(setup.member), fpj), fpj)
     target = Target(setup.pattern, setup.pattern, False, -1, -1, 0.0)
-    return _kind(case), typeof(target), typeof(setup.pattern)
-
-
-def _kind(values: Any) -> Any:
-    """numba's type of a value; of a tuple that kernels take by `reference`, that of the reference."""
-    from numba import typeof
-
-    name = f"{type(values).__name__}RefType"
-    reference = getattr(sys.modules[type(values).__module__], name, None)
-    if reference is None:
-        return typeof(values)
-    return reference([(field, _kind(value)) for field, value in values._asdict().items()])
+    return ReferenceType(typeof(case)), typeof(target), typeof(setup.pattern)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ptbatch.core.case import Case, open_case
+from ptbatch.core.case import Case
 from ptbatch.core.concrete import FREE
 from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
 from ptbatch.core.failure import LIMIT, demands
@@ -15,6 +15,7 @@ from ptbatch.core.follow import Control, follow
 from ptbatch.core.history import concrete_stress
 from ptbatch.core.model import ANCHORED, PRESCRIBED, PULLED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, ramp
+from ptbatch.core.reference import Reference
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
@@ -54,7 +55,7 @@ class Rig:
     @classmethod
     def of(cls, case: Case, live: tuple[bool, bool]) -> "Rig":
         """Set a case up for its stages."""
-        return cls(case, open_case(*case), live)
+        return cls(case, Reference(case), live)
 
     @property
     def ends(self) -> tuple[int, ...]:

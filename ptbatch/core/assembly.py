@@ -16,7 +16,7 @@ from ptbatch.core.contact import (
     project,
     segment,
 )
-from ptbatch.core.contact_tangent import contact_tangent
+from ptbatch.core.contact_tangent import COLUMNS, LEFT, RIGHT, contact_tangent
 from ptbatch.core.jit import STEP, cos_sin, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
 from ptbatch.core.section import section_forces, section_tangent
@@ -269,7 +269,7 @@ def add_contact_forces(j, work):
 
 @kernel
 def add_to(matrix, row, column, value):
-    matrix[row, column - row + half_width(matrix)] += value
+    matrix[np.uint64(row), np.uint64(column - row + half_width(matrix))] += value
 
 
 @kernel
@@ -360,7 +360,7 @@ def add_contact(j, model, state, u, bonded, work):
     gather_contact(j, model, u, work)
     seg = segment(work.segment[j], model)
     px, py = duct_at(j, seg, work)
-    N, Tt, s, motion = contact_tangent(
+    N, Tt, s, motion, spread = contact_tangent(
         work.q8,
         px,
         py,
@@ -378,7 +378,7 @@ def add_contact(j, model, state, u, bonded, work):
         model.contact,
         work.d7,
         work.f8,
-        work.k8,
+        work.by,
     )
     work.normal[j] = N
     work.shear[j] = Tt
@@ -387,42 +387,70 @@ def add_contact(j, model, state, u, bonded, work):
     if motion == HELD:
         work.held_back[0] += 1
     add_contact_forces(j, work)
+    rows = tendon_dof(j), beam_dof(work.segment[j]), beam_dof(work.segment[j] + 1)
+    add_columns(0, tendon_dof(j), 2, rows, spread, work)
+    add_columns(2, rows[1], 3, rows, spread, work)
+    add_columns(5, rows[2], 3, rows, spread, work)
+    add_to(work.matrix, rows[1] + 2, rows[1] + 2, spread.couple[0])
+    add_to(work.matrix, rows[2] + 2, rows[2] + 2, spread.couple[1])
     n = model.x.size - 1
-    parts = (  # where the element's degrees of freedom are: in it, in the member, how many
-        (0, tendon_dof(j), 2),
-        (2, beam_dof(work.segment[j]), 3),
-        (5, beam_dof(work.segment[j] + 1), 3),
-    )
-    for i, row, rows in parts:
-        for c, column, columns in parts:
-            add_block(work.matrix, row, column, work.k8, i, c, rows, columns)
-        for side in range(2):
-            neighbour = j - 1 + 2 * side
-            if 0 < neighbour <= n:
-                add_block(work.matrix, row, tendon_dof(neighbour), work.k8, i, 8 + 2 * side, rows, 2)
-                continue
-            for r in range(rows):
-                kx, ky = work.k8[i + r, 8 + 2 * side], work.k8[i + r, 9 + 2 * side]
-                add_end_neighbour(row + r, neighbour, kx, ky, model, u, work)
+    if j == 1:
+        add_end_columns(0, LEFT, rows, spread, model, u, work)
+    else:
+        add_columns(LEFT, tendon_dof(j - 1), 2, rows, spread, work)
+    if j == n:
+        add_end_columns(1, RIGHT, rows, spread, model, u, work)
+    else:
+        add_columns(RIGHT, tendon_dof(j + 1), 2, rows, spread, work)
 
 
 @kernel
-def add_end_neighbour(row, j, kx, ky, model, u, work):
-    """A row's derivative by the position of an end node of the tendon, which its gap and its beam node
+def add_columns(first, column, count, rows, spread, work):
+    """Add so many columns of a contact element, from its `first` on, to the matrix from `column` on; rows:
+    where slave and masters are in it."""
+    matrix, by = work.matrix, work.by
+    slave, master1, master2 = rows
+    for i in range(count):
+        c, at = first + i, column + i
+        fx, fy, xi, moment = by[c], by[COLUMNS + c], by[2 * COLUMNS + c], by[3 * COLUMNS + c]
+        add_to(matrix, slave, at, fx)
+        add_to(matrix, slave + 1, at, fy)
+        weight, place, lever = spread.weight[0], spread.place[0], spread.lever[0]
+        add_to(matrix, master1, at, weight * fx + place[0] * xi)
+        add_to(matrix, master1 + 1, at, weight * fy + place[1] * xi)
+        couple = lever[0] * fx + lever[1] * fy + lever[2] * xi + lever[3] * moment
+        add_to(matrix, master1 + 2, at, couple)
+        weight, place, lever = spread.weight[1], spread.place[1], spread.lever[1]
+        add_to(matrix, master2, at, weight * fx + place[0] * xi)
+        add_to(matrix, master2 + 1, at, weight * fy + place[1] * xi)
+        couple = lever[0] * fx + lever[1] * fy + lever[2] * xi + lever[3] * moment
+        add_to(matrix, master2 + 2, at, couple)
+
+
+@kernel
+def add_end_columns(side, first, rows, spread, model, u, work):
+    """Add the two columns of a neighbour that is an end node of the tendon, which its gap and its beam node
     carry."""
     n = model.x.size - 1
-    side = 0 if j == 0 else 1
+    by = work.by
     gather_end(side, model, u, work)
     x, y, ox, oy = end_position(work.q6, anchor(side, model))
+    dx, dy = x - work.q6[1], y - work.q6[2]
     node = beam_dof(side * n)
-    add_to(work.matrix, row, tendon_dof(j), kx * ox + ky * oy)
-    add_to(work.matrix, row, node, kx)
-    add_to(work.matrix, row, node + 1, ky)
-    add_to(work.matrix, row, node + 2, ky * (x - work.q6[1]) - kx * (y - work.q6[2]))
+    add_columns(first, node, 2, rows, spread, work)
+    along_x, along_y = (by[first], by[first + 1]), (by[COLUMNS + first], by[COLUMNS + first + 1])
+    by[first] = along_x[0] * ox + along_x[1] * oy
+    by[COLUMNS + first] = along_y[0] * ox + along_y[1] * oy
+    add_columns(first, tendon_dof(side * (n + 1)), 1, rows, spread, work)
+    by[first] = along_x[1] * dx - along_x[0] * dy
+    by[COLUMNS + first] = along_y[1] * dx - along_y[0] * dy
+    add_columns(first, node + 2, 1, rows, spread, work)
 
 
 @kernel
 def add_end_tangent(side, model, state, u, ends, work):
+    """Tangent of an end element by complex steps of the gap, the rotation and the neighbour; where the beam
+    node goes is the opposite of where the neighbour goes."""
     n = model.x.size - 1
     e = side * n
     j = side * (n + 1)
@@ -434,7 +462,7 @@ def add_end_tangent(side, model, state, u, ends, work):
     gap = tendon_dof(j)
     node = beam_dof(side * n)
     neighbour = tendon_dof(1 + side * (n - 1))
-    for column in range(6):
+    for column in (0, 3, 4, 5):
         z[column] = complex(work.q6[column], STEP)
         end_forces(
             z,
@@ -453,7 +481,10 @@ def add_end_tangent(side, model, state, u, ends, work):
             work.w6,
         )
         z[column] = work.q6[column]
-        at = gap if column == 0 else (node + column - 1 if column < 4 else neighbour + column - 4)
+        at = gap if column == 0 else (node + 2 if column == 3 else neighbour + column - 4)
         for i in range(6):
             row = gap if i == 0 else (node + i - 1 if i < 4 else neighbour + i - 4)
-            add_to(work.matrix, row, at, work.w6[i].imag / STEP)
+            slope = work.w6[i].imag / STEP
+            add_to(work.matrix, row, at, slope)
+            if column > 3:
+                add_to(work.matrix, row, node + column - 4, -slope)

@@ -47,8 +47,8 @@ def pivot_row(a, k, below, weights):
 def factorise(a, weights, multipliers, pivots, reach):
     """LU in place, with partial pivoting by a threshold; false where a pivot is zero or not finite.
 
-    On return U of row i stands in its columns i .. reach[i]; the multipliers (n, half) and the pivots (n,)
-    hold L. weights (n,) is scratch.
+    On return U of row i stands in its columns i .. reach[i], in place of its diagonal one over that; the
+    multipliers (n, half) and the pivots (n,) hold L. weights (n,) is scratch.
     """
     n, one = np.uint64(a.shape[0]), np.uint64(1)
     half = np.uint64(half_width(a))
@@ -68,7 +68,7 @@ def factorise(a, weights, multipliers, pivots, reach):
             at = half + k - p
             for j in range(right + one):
                 a[k, half + j], a[p, at + j] = a[p, at + j], a[k, half + j]
-        inverse = 1.0 / a[k, half]
+        a[k, half] = inverse = 1.0 / a[k, half]
         for i in range(one, below + one):
             row, at = k + i, half - i
             m = a[row, at] * inverse
@@ -83,25 +83,27 @@ def factorise(a, weights, multipliers, pivots, reach):
 def substitute(a, multipliers, pivots, reach, b, c):
     """Solve for two right-hand sides b and c (n,), in place: a second one costs next to nothing, since each
     number waits for the one before."""
-    n, half = a.shape[0], half_width(a)
+    n, half, one, two = np.uint64(a.shape[0]), np.uint64(half_width(a)), np.uint64(1), np.uint64(2)
     for k in range(n):
-        p = pivots[k]
+        p = np.uint64(pivots[k])
         if p != k:
             b[k], b[p] = b[p], b[k]
             c[k], c[p] = c[p], c[k]
-        for i in range(min(half, n - 1 - k)):
-            b[k + 1 + i] -= multipliers[k, i] * b[k]
-            c[k + 1 + i] -= multipliers[k, i] * c[k]
-    for k in range(n - 1, -1, -1):
-        right = reach[k] - k
+        b_k, c_k = b[k], c[k]
+        for i in range(min(half, n - one - k)):
+            b[k + one + i] -= multipliers[k, i] * b_k
+            c[k + one + i] -= multipliers[k, i] * c_k
+    for back in range(one, n + one):
+        k = n - back
+        right = np.uint64(reach[k]) - k
         b_odd, b_even, c_odd, c_even = b[k], 0.0, c[k], 0.0
-        for j in range(1, right, 2):
+        for j in range(one, right, two):
             b_odd -= a[k, half + j] * b[k + j]
             c_odd -= a[k, half + j] * c[k + j]
-            b_even -= a[k, half + j + 1] * b[k + j + 1]
-            c_even -= a[k, half + j + 1] * c[k + j + 1]
-        if right % 2 == 1:
+            b_even -= a[k, half + j + one] * b[k + j + one]
+            c_even -= a[k, half + j + one] * c[k + j + one]
+        if right % two == one:
             b_odd -= a[k, half + right] * b[k + right]
             c_odd -= a[k, half + right] * c[k + right]
-        b[k] = (b_odd + b_even) / a[k, half]
-        c[k] = (c_odd + c_even) / a[k, half]
+        b[k] = (b_odd + b_even) * a[k, half]
+        c[k] = (c_odd + c_even) * a[k, half]

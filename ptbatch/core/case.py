@@ -3,11 +3,10 @@ record."""
 
 from typing import NamedTuple
 
-from ptbatch.core.history import History, HistoryRef
+from ptbatch.core.history import History
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import Ends, EndsRef, Model, ModelRef, State, StateRef
-from ptbatch.core.reference import lent, reference
-from ptbatch.core.work import Work, WorkRef
+from ptbatch.core.model import Ends, Model, State
+from ptbatch.core.work import Work
 
 
 class Tolerance(NamedTuple):
@@ -32,23 +31,6 @@ class Case(NamedTuple):
     work: Work
     history: History
     tolerance: Tolerance
-
-
-CaseRef = reference(Case, "CaseRef")
-
-
-@kernel
-def open_case(model, state, ends, work, history, tolerance):
-    """The case as the functions of the kernels take it; it shares the arrays that it was given, and does not
-    keep them alive."""
-    return CaseRef(
-        ModelRef(*lent(model)),
-        StateRef(*lent(state)),
-        EndsRef(*lent(ends)),
-        WorkRef(*lent(work)),
-        HistoryRef(*lent(history)),
-        tolerance,
-    )
 
 
 class Target(NamedTuple):

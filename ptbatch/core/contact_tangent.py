@@ -9,10 +9,26 @@ r the gap as a vector,
     d gap = e . n,   d xi (p' . p' - r . p'') = e . p' + r . dp',   d direction = n . (dp' + p'' d xi) / |p'|.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ptbatch.core.contact import bisector, dot4, friction, shape
 from ptbatch.core.jit import STEP, kernel
+
+COLUMNS = 12  # of a contact element: slave (2), master 1 (3), master 2 (3), the neighbours from these on
+LEFT, RIGHT = 8, 10
+
+
+class Spread(NamedTuple):
+    """How the eight forces of a contact element change with what `contact_tangent` finds of each column: the
+    two on a master by (fx, fy) `weight` and by xi `place`, the couple on it by fx, fy, xi and moment `lever`;
+    `couple`: by its own rotation besides."""
+
+    weight: tuple  # of master 1, of master 2
+    place: tuple  # (u, v) of 1, (u, v) of 2
+    lever: tuple  # (fx, fy, xi, moment) of 1, and of 2
+    couple: tuple
 
 
 @kernel
@@ -78,96 +94,83 @@ def write(row, e, turn, grow, length, d):
 
 
 @kernel
-def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was, seg, c, d, f, k):
-    """Forces f (8,) and tangent k (8, 12); also returned: (N, T_t, s, motion). Arguments as of
-    `contact_forces` and `force_derivatives`, all real; d (7, 2) is scratch."""
+def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was, seg, c, d, f, by):
+    """Forces f (8,), and in by (4 COLUMNS,) how fx, fy, xi and the moment e x f change with each of the
+    twelve degrees of freedom, of which `add_columns` makes the tangent; also returned: (N, T_t, s, motion)
+    and the Spread. Arguments as of `contact_forces` and `force_derivatives`, all real; d (7, 2) is scratch.
+    """
     w, w1, w2 = shape(xi, seg.smooth)
     rx, ry = q[0] - dot4(w, px), q[1] - dot4(w, py)
     vx, vy = dot4(w1, px), dot4(w1, py)  # p'
     cx, cy = dot4(w2, px), dot4(w2, py)  # p''
-    speed = np.sqrt(vx * vx + vy * vy)
-    tx, ty = vx / speed, vy / speed
+    slowness = 1.0 / np.sqrt(vx * vx + vy * vy)
+    tx, ty = vx * slowness, vy * slowness
     s = seg.s + xi * seg.ds
     gap = ry * tx - rx * ty
     fx, fy, N, Tt, motion = force_derivatives(
         e3, e4, length, gap, (tx, ty), s - s0, T, slope, rub, rough, was, c, d
     )
-    # levers of the force about the two masters: arm and direction, by their weights
+    # levers of the force about the two masters, arm and direction by their weights, and how these change
+    # with xi
     ax1, ay1, ax2, ay2 = px[0] - q[2], py[0] - q[3], px[2] - seg.h - q[5], py[2] - q[6]
-    lever1 = w[0] * ax1 + w[1] * px[1], w[0] * ay1 + w[1] * py[1]
-    lever2 = w[2] * ax2 + w[3] * px[3], w[2] * ay2 + w[3] * py[3]
-    couple = rx * fy - ry * fx
+    x1, y1 = w[0] * ax1 + w[1] * px[1], w[0] * ay1 + w[1] * py[1]
+    x2, y2 = w[2] * ax2 + w[3] * px[3], w[2] * ay2 + w[3] * py[3]
+    x1_xi, y1_xi = w1[0] * ax1 + w1[1] * px[1], w1[0] * ay1 + w1[1] * py[1]
+    x2_xi, y2_xi = w1[2] * ax2 + w1[3] * px[3], w1[2] * ay2 + w1[3] * py[3]
+    # by each of the first eight: movement e of the slave against the duct point, and dp'
+    put(0, 1.0, 0.0, 0.0, 0.0, by)
+    put(1, 0.0, 1.0, 0.0, 0.0, by)
+    put(2, -w[0], 0.0, w1[0], 0.0, by)
+    put(3, 0.0, -w[0], 0.0, w1[0], by)
+    put(4, y1, -x1, -y1_xi, x1_xi, by)
+    put(5, -w[2], 0.0, w1[2], 0.0, by)
+    put(6, 0.0, -w[2], 0.0, w1[2], by)
+    put(7, y2, -x2, -y2_xi, x2_xi, by)
+    bend = 1.0 / (vx * vx + vy * vy - rx * cx - ry * cy)
+    by_gap, by_turn, by_slip = (d[4, 0], d[4, 1]), (d[5, 0], d[5, 1]), (d[6, 0], d[6, 1])
+    for j in range(8):
+        ex, ey, dvx, dvy = by[j], by[COLUMNS + j], by[2 * COLUMNS + j], by[3 * COLUMNS + j]
+        dxi = (ex * vx + ey * vy + rx * dvx + ry * dvy) * bend
+        dgap = ey * tx - ex * ty
+        turn = (tx * (dvy + cy * dxi) - ty * (dvx + cx * dxi)) * slowness
+        slip = seg.ds * dxi
+        by[j] = by_gap[0] * dgap + by_turn[0] * turn + by_slip[0] * slip
+        by[COLUMNS + j] = by_gap[1] * dgap + by_turn[1] * turn + by_slip[1] * slip
+        by[2 * COLUMNS + j] = dxi
+        by[3 * COLUMNS + j] = ex * fy - ey * fx
+    for i in range(2):  # the chords, which the slave moves one way and the neighbours the other
+        for j in range(2):
+            by[i * COLUMNS + j] += d[j, i] - d[j + 2, i]
+    for j in range(2):
+        put(LEFT + j, -d[j, 0], -d[j, 1], 0.0, 0.0, by)
+        put(RIGHT + j, d[j + 2, 0], d[j + 2, 1], 0.0, 0.0, by)
+    couple, turned = rx * fy - ry * fx, vx * fy - vy * fx
     f[0] = fx
     f[1] = fy
     f[2] = -fx * w[0]
     f[3] = -fy * w[0]
-    f[4] = -(fy * lever1[0] - fx * lever1[1] + (1.0 - xi) * couple)
+    f[4] = -(fy * x1 - fx * y1 + (1.0 - xi) * couple)
     f[5] = -fx * w[2]
     f[6] = -fy * w[2]
-    f[7] = -(fy * lever2[0] - fx * lever2[1] + xi * couple)
-    bend = 1.0 / (speed * speed - rx * cx - ry * cy)
-    for j in range(8, 12):  # neighbours move the chords alone
-        row = j - 8
-        sign = -1.0 if j < 10 else 1.0
-        spread(sign * d[row, 0], sign * d[row, 1], xi, rx, ry, w, lever1, lever2, j, k)
-    # movement e of the slave against the duct point, and dp', by each of the first eight degrees of freedom
-    for j in range(8):
-        ex = ey = vx_j = vy_j = 0.0
-        if j == 0:
-            ex = 1.0
-        elif j == 1:
-            ey = 1.0
-        elif j == 2:
-            ex, vx_j = -w[0], w1[0]
-        elif j == 3:
-            ey, vy_j = -w[0], w1[0]
-        elif j == 4:
-            ex, ey = lever1[1], -lever1[0]
-            vx_j, vy_j = -(w1[0] * ay1 + w1[1] * py[1]), w1[0] * ax1 + w1[1] * px[1]
-        elif j == 5:
-            ex, vx_j = -w[2], w1[2]
-        elif j == 6:
-            ey, vy_j = -w[2], w1[2]
-        else:
-            ex, ey = lever2[1], -lever2[0]
-            vx_j, vy_j = -(w1[2] * ay2 + w1[3] * py[3]), w1[2] * ax2 + w1[3] * px[3]
-        dxi = (ex * vx + ey * vy + rx * vx_j + ry * vy_j) * bend
-        dgap = ey * tx - ex * ty
-        turn = (tx * (vy_j + cy * dxi) - ty * (vx_j + cx * dxi)) / speed
-        slip = seg.ds * dxi
-        dfx = d[4, 0] * dgap + d[5, 0] * turn + d[6, 0] * slip
-        dfy = d[4, 1] * dgap + d[5, 1] * turn + d[6, 1] * slip
-        if j < 2:
-            dfx += d[j, 0] - d[j + 2, 0]
-            dfy += d[j, 1] - d[j + 2, 1]
-        spread(dfx, dfy, xi, rx, ry, w, lever1, lever2, j, k)
-        # what the force itself does as weights, levers and gap change
-        drx, dry = ex - vx * dxi, ey - vy * dxi
-        dcouple = drx * fy - dry * fx
-        dlever1_x, dlever1_y = (w1[0] * ax1 + w1[1] * px[1]) * dxi, (w1[0] * ay1 + w1[1] * py[1]) * dxi
-        dlever2_x, dlever2_y = (w1[2] * ax2 + w1[3] * px[3]) * dxi, (w1[2] * ay2 + w1[3] * py[3]) * dxi
-        if j == 4:
-            dlever1_x, dlever1_y = dlever1_x - lever1[1], dlever1_y + lever1[0]
-        elif j == 7:
-            dlever2_x, dlever2_y = dlever2_x - lever2[1], dlever2_y + lever2[0]
-        k[2, j] -= fx * w1[0] * dxi
-        k[3, j] -= fy * w1[0] * dxi
-        k[4, j] -= fy * dlever1_x - fx * dlever1_y + (1.0 - xi) * dcouple - dxi * couple
-        k[5, j] -= fx * w1[2] * dxi
-        k[6, j] -= fy * w1[2] * dxi
-        k[7, j] -= fy * dlever2_x - fx * dlever2_y + xi * dcouple + dxi * couple
-    return N, Tt, s, motion
+    f[7] = -(fy * x2 - fx * y2 + xi * couple)
+    place1 = fy * x1_xi - fx * y1_xi - (1.0 - xi) * turned - couple
+    place2 = fy * x2_xi - fx * y2_xi - xi * turned + couple
+    spread = Spread(
+        (-w[0], -w[2]),
+        ((-fx * w1[0], -fy * w1[0]), (-fx * w1[2], -fy * w1[2])),
+        (
+            (y1 + (1.0 - xi) * ry, -x1 - (1.0 - xi) * rx, -place1, xi - 1.0),
+            (y2 + xi * ry, -x2 - xi * rx, -place2, -xi),
+        ),
+        (fx * x1 + fy * y1, fx * x2 + fy * y2),
+    )
+    return N, Tt, s, motion, spread
 
 
 @kernel
-def spread(dfx, dfy, xi, rx, ry, w, lever1, lever2, j, k):
-    """Column j of k for a change (dfx, dfy) of the force on the slave, its place being as it is."""
-    couple = rx * dfy - ry * dfx
-    k[0, j] = dfx
-    k[1, j] = dfy
-    k[2, j] = -dfx * w[0]
-    k[3, j] = -dfy * w[0]
-    k[4, j] = -(dfy * lever1[0] - dfx * lever1[1] + (1.0 - xi) * couple)
-    k[5, j] = -dfx * w[2]
-    k[6, j] = -dfy * w[2]
-    k[7, j] = -(dfy * lever2[0] - dfx * lever2[1] + xi * couple)
+def put(column, ex, ey, dvx, dvy, by):
+    """Write the four numbers of a column."""
+    by[column] = ex
+    by[COLUMNS + column] = ey
+    by[2 * COLUMNS + column] = dvx
+    by[3 * COLUMNS + column] = dvy

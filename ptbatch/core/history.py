@@ -9,7 +9,6 @@ from ptbatch.core.beam import beam_strains
 from ptbatch.core.concrete import fibres
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
-from ptbatch.core.reference import reference
 from ptbatch.core.section import commit_sections
 
 
@@ -39,9 +38,6 @@ class History(NamedTuple):
             column[first] = column[last]
         self.iterations[first], self.residual[first] = iterations, residual
         self.rows[0] = first + 1
-
-
-HistoryRef = reference(History, "HistoryRef")
 
 
 def new_history(rows: int, n: int) -> History:

@@ -12,7 +12,6 @@ import numpy as np
 
 from ptbatch.core.concrete import Concrete
 from ptbatch.core.jit import kernel
-from ptbatch.core.reference import reference
 from ptbatch.core.steel import Steel
 from ptbatch.core.tendon import Strand
 
@@ -77,10 +76,6 @@ class Ends(NamedTuple):
 
 
 PRESCRIBED, PULLED, ANCHORED = range(3)
-
-ModelRef = reference(Model, "ModelRef")
-StateRef = reference(State, "StateRef")
-EndsRef = reference(Ends, "EndsRef")
 
 
 @kernel

@@ -214,7 +214,8 @@ def equilibrate(case, target, factor, way):
     slides = way.slides and anchored and not target.bonded
     reused = np.inf  # residual at the last use of a tangent that is not of its place
     for iteration in range(way.most):
-        if norm <= NEAR:  # the last step may have arrived: a tangent would be too much for a look
+        placed = norm <= NEAR
+        if placed:  # the last step may have arrived: a tangent would be too much for a look
             norm = residual_alone(case, target, factor)
             if norm <= tolerance.residual and increment <= tolerance.increment:
                 return CONVERGED, factor, iteration, norm
@@ -228,7 +229,8 @@ def equilibrate(case, target, factor, way):
                 continue
         if way.search:
             work.motion[:] = UNKNOWN
-        place_tendon(case.model, case.state, work.trial, work)
+        if not placed:
+            place_tendon(case.model, case.state, work.trial, work)
         if slides:
             slide_tendon(case.model, case.state, work.trial, work)
         tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)

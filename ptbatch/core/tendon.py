@@ -24,13 +24,13 @@ class Strand(NamedTuple):
 
 
 @inlined
-def envelope(eps, s):
-    """First-loading stress; straight with Ep below zero strain (a slack tendon is stiff only in name: it is
+def envelope(eps, law, s):
+    """First-loading stress by s.law; straight with Ep below zero strain (a slack tendon is stiff only in name: it is
     never left there)."""
     elastic = s.Ep * eps
-    if s.law == ELASTIC_TENDON:
+    if law == ELASTIC_TENDON:
         return elastic
-    if s.law == BILINEAR:
+    if law == BILINEAR:
         eps_y = s.fpy / s.Ep
         yielding = s.fpy + (s.fpu - s.fpy) * (eps - eps_y) / (s.epu - eps_y)
         return elastic if eps.real <= eps_y else yielding
@@ -41,7 +41,7 @@ def envelope(eps, s):
 
 
 @inlined
-def tendon_stress(eps, worst, s):
-    """Stress at strain eps when the largest committed strain is worst."""
+def tendon_stress(eps, worst, law, s):
+    """Stress at strain eps by s.law when the largest committed strain is worst."""
     on = eps if eps.real >= worst else worst + 0.0 * eps  # where the envelope was left
-    return envelope(on, s) - s.Ep * (on - eps)
+    return envelope(on, law, s) - s.Ep * (on - eps)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ptbatch.core.jit import STEP, inlined, kernel
-from ptbatch.core.tendon import tendon_stress
+from ptbatch.core.tendon import RAMBERG_OSGOOD, tendon_stress
 
 
 @kernel
@@ -12,17 +12,20 @@ def stretch(rest, length):
     return (length - rest) / rest
 
 
-@inlined
-def tension(strain, worst, strand):
-    """Axial force in N."""
-    return strand.Aps * tendon_stress(strain, worst, strand)
-
-
 @kernel
 def tensions(strain, worst, rest, strand, T, slope):
     """Axial forces T (k,) of k elements and how they grow with the length, by the complex step."""
+    if strand.law == RAMBERG_OSGOOD:
+        evaluate(strain, worst, rest, strand, RAMBERG_OSGOOD, T, slope)
+    else:
+        evaluate(strain, worst, rest, strand, strand.law, T, slope)
+
+
+@inlined
+def evaluate(strain, worst, rest, strand, law, T, slope):
+    """`tensions` under a law; with one that is known when this is compiled, several elements at a time."""
     for e in range(strain.size):
-        found = tension(complex(strain[e], STEP), worst[e], strand)
+        found = strand.Aps * tendon_stress(complex(strain[e], STEP), worst[e], law, strand)
         T[e] = found.real
         slope[e] = found.imag / STEP / rest[e]
 

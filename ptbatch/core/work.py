@@ -4,8 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.core.reference import reference
-
 
 class Work(NamedTuple):
     """n beam elements, ndof = 5 n + 7, half = half bandwidth."""
@@ -53,7 +51,7 @@ class Work(NamedTuple):
     k2: np.ndarray  # (2, 2)
     q8: np.ndarray
     f8: np.ndarray
-    k8: np.ndarray  # (8, 12)
+    by: np.ndarray  # (48,) see `contact_tangent`
     z6: np.ndarray  # complex
     w6: np.ndarray
     d7: np.ndarray  # (7, 2)
@@ -68,9 +66,6 @@ class Work(NamedTuple):
     moved: np.ndarray  # (2n+1,) of the kinks
     pull: np.ndarray  # (2n+1,)
     turner: np.ndarray  # (2n+1,) int
-
-
-WorkRef = reference(Work, "WorkRef")
 
 
 def new_work(n: int, half: int) -> Work:
@@ -110,7 +105,7 @@ def new_work(n: int, half: int) -> Work:
         np.zeros((2, 2)),
         np.zeros(8),
         np.zeros(8),
-        np.zeros((8, 12)),
+        np.zeros(48),
         *complex_scratch,
         np.zeros((7, 2)),
         np.zeros(n + 2),

@@ -4,10 +4,11 @@ what is not."""
 import numpy as np
 import pytest
 
-from ptbatch.core.case import open_case, still
+from ptbatch.core.case import still
 from ptbatch.core.contact import HELD
 from ptbatch.core.equilibrium import along_tendon, imbalance
 from ptbatch.core.history import rewind
+from ptbatch.core.reference import Reference
 from ptbatch.statics import node_values
 from tests.members import KINDS, SMALL, sustained
 
@@ -125,7 +126,7 @@ def with_less_friction(member, share):
     """The same arrays under a friction coefficient that is smaller."""
     model = member.case.model
     contact = model.contact._replace(mu=share * model.contact.mu, K=0.0)
-    return open_case(*member.case._replace(model=model._replace(contact=contact)))
+    return Reference(member.case._replace(model=model._replace(contact=contact)))
 
 
 def sliding(member) -> tuple[np.ndarray, np.ndarray]:

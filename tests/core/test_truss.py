@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ptbatch.core.tendon import BILINEAR, ELASTIC_TENDON, Strand
-from ptbatch.core.truss import stretch, tension, tensions, truss_tangent, unit
+from ptbatch.core.tendon import BILINEAR, ELASTIC_TENDON, Strand, tendon_stress
+from ptbatch.core.truss import stretch, tensions, truss_tangent, unit
 from tests.core.numerics import central_jacobian, turned_by
 
 REST = 700.0
@@ -21,7 +21,12 @@ def chord(strain, angle=-0.1):
 def force(vector, worst=0.0):
     """What the element asks of its far node."""
     length, ex, ey = unit(*vector)
-    return tension(stretch(REST, length), worst, STRAND) * np.array([ex, ey])
+    return tension(stretch(REST, length), worst) * np.array([ex, ey])
+
+
+def tension(strain, worst):
+    """In N."""
+    return STRAND.Aps * tendon_stress(strain, worst, STRAND.law, STRAND)
 
 
 def tension_and_slope(strain, worst, rest, strand):
@@ -48,7 +53,7 @@ def test_tangent_is_the_central_difference(strain, worst):
     T, slope = tension_and_slope(stretch(REST, length), worst, REST, STRAND)
     k = np.empty((2, 2))
     truss_tangent(T, slope, ex, ey, length, k)
-    assert T == tension(stretch(REST, length), worst, STRAND)
+    assert T == tension(stretch(REST, length), worst)
     difference = central_jacobian(lambda v: force(v, worst), vector, 1e-4)
     # 1e-4 mm: round-off 1e6 N * 1e-13 / 1e-4 = 1e-3 N/mm of about 1e5
     np.testing.assert_allclose(difference, k, rtol=1e-6, atol=0.01)
