@@ -9,8 +9,7 @@ import numpy as np
 from benchmarks.stagewise import stressed
 from benchmarks.table import Table
 from ptbatch.analysis import serve
-from ptbatch.core.assembly import add_beam, place_tendon, tangent
-from ptbatch.core.beam import beam_strains
+from ptbatch.core.assembly import add_beam, bend_beam, place_tendon, tangent
 from ptbatch.core.case import Target
 from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.failure import demands_as_evaluated
@@ -18,7 +17,6 @@ from ptbatch.core.history import commit
 from ptbatch.core.jit import kernel
 from ptbatch.core.newton import factorise_tangent, residual_alone
 from ptbatch.core.newton import step as increment
-from ptbatch.core.section import section_tangent
 from ptbatch.member import Member
 
 LOOP, REPEATS = 50, 9
@@ -30,8 +28,7 @@ def beams(case, bonded, times):
     for _ in range(times):
         case.work.f[:] = 0.0
         case.work.matrix[:] = 0.0
-        beam_strains(case.model, case.work.trial, case.work)
-        section_tangent(case.model, case.state, 0.0, case.work)
+        bend_beam(case.model, case.state, case.work.trial, 0.0, case.work)
         for e in range(case.model.x.size - 1):
             add_beam(e, case.model, case.work)
 
@@ -41,7 +38,8 @@ def assembled(case, bonded, times):
     """Force and tangent of the member."""
     for _ in range(times):
         place_tendon(case.model, case.state, case.work.trial, case.work)
-        tangent(case.model, case.state, case.work.trial, case.ends, bonded, 0.0, case.work)
+        bend_beam(case.model, case.state, case.work.trial, 0.0, case.work)
+        tangent(case.model, case.state, case.work.trial, case.ends, bonded, case.work)
 
 
 @kernel
@@ -49,7 +47,8 @@ def solved(case, target, times):
     """The same, with an increment by displacement control."""
     for _ in range(times):
         place_tendon(case.model, case.state, case.work.trial, case.work)
-        tangent(case.model, case.state, case.work.trial, case.ends, target.bonded, 0.0, case.work)
+        bend_beam(case.model, case.state, case.work.trial, 0.0, case.work)
+        tangent(case.model, case.state, case.work.trial, case.ends, target.bonded, case.work)
         factorise_tangent(case)
         increment(case, target)
 

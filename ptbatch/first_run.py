@@ -42,7 +42,7 @@ def late_kernels() -> dict[Any, tuple[Any, ...]]:
     whole, real = types.int64, types.float64
     model, state, ends, work = (ReferenceType(case.field(name)[1]) for name in ("model", "state", "ends", "work"))
     return {
-        tangent: (model, state, vector, ends, types.boolean, real, work),
+        tangent: (model, state, vector, ends, types.boolean, work),
         imbalance_as_evaluated: (case, target, real),
         accept: (case, whole, real, whole, real),
         demands_as_evaluated: (case,),

@@ -17,9 +17,9 @@ from ptbatch.core.contact import (
     segment,
 )
 from ptbatch.core.contact_tangent import COLUMNS, LEFT, RIGHT, contact_tangent
-from ptbatch.core.jit import STEP, cos_sin, kernel
+from ptbatch.core.jit import STEP, cos_sin, inlined, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
-from ptbatch.core.section import section_forces, section_tangent
+from ptbatch.core.section import section_tangent
 from ptbatch.core.slide import slide
 from ptbatch.core.truss import stretch, tensions, truss_tangent, unit
 from ptbatch.core.turning import roughness
@@ -231,9 +231,8 @@ def internal_forces(model, state, u, ends, bonded, work):
     tangent."""
     n = model.x.size - 1
     stretch_tendon(model, state, work)
+    bend_beam(model, state, u, 0.0, work)
     work.f[:] = 0.0
-    beam_strains(model, u, work)
-    section_forces(model, state, work)
     for e in range(n):
         beam_forces(e, work, work.f6)
         for i in range(3):
@@ -291,6 +290,13 @@ def place_tendon(model, state, u, work):
 
 
 @kernel
+def bend_beam(model, state, u, damping, work):
+    """Strains, forces and moduli of all sections at u; see `section_tangent`."""
+    beam_strains(model, u, work)
+    section_tangent(model, state, damping, work)
+
+
+@kernel
 def slide_tendon(model, state, u, work):
     """Move the tendon, as placed, along the duct to where friction balances it: its nodes in u, and what
     `place_tendon` found. Both its ends are anchored."""
@@ -303,13 +309,12 @@ def slide_tendon(model, state, u, work):
 
 
 @kernel
-def tangent(model, state, u, ends, bonded, damping, work):
-    """work.f and work.matrix at u, for which `place_tendon` has placed the tendon."""
+def tangent(model, state, u, ends, bonded, work):
+    """work.f and work.matrix at u, for which `place_tendon` has placed the tendon and `bend_beam` bent the
+    beam."""
     n = model.x.size - 1
     work.f[:] = 0.0
     work.matrix[:] = 0.0
-    beam_strains(model, u, work)
-    section_tangent(model, state, damping, work)
     for e in range(n):
         add_beam(e, model, work)
     for e in range(1, n):
@@ -404,27 +409,29 @@ def add_contact(j, model, state, u, bonded, work):
         add_columns(RIGHT, tendon_dof(j + 1), 2, rows, spread, work)
 
 
-@kernel
+@inlined
 def add_columns(first, column, count, rows, spread, work):
     """Add so many columns of a contact element, from its `first` on, to the matrix from `column` on; rows:
     where slave and masters are in it."""
     matrix, by = work.matrix, work.by
-    slave, master1, master2 = rows
+    one, two = np.uint64(1), np.uint64(2)
+    slave, master1, master2 = np.uint64(rows[0]), np.uint64(rows[1]), np.uint64(rows[2])
+    weight1, weight2 = spread.weight
+    place1, place2 = spread.place
+    lever1, lever2 = spread.lever
     for i in range(count):
-        c, at = first + i, column + i
+        c, at = first + i, np.uint64(column + i + half_width(matrix))
         fx, fy, xi, moment = by[c], by[COLUMNS + c], by[2 * COLUMNS + c], by[3 * COLUMNS + c]
-        add_to(matrix, slave, at, fx)
-        add_to(matrix, slave + 1, at, fy)
-        weight, place, lever = spread.weight[0], spread.place[0], spread.lever[0]
-        add_to(matrix, master1, at, weight * fx + place[0] * xi)
-        add_to(matrix, master1 + 1, at, weight * fy + place[1] * xi)
-        couple = lever[0] * fx + lever[1] * fy + lever[2] * xi + lever[3] * moment
-        add_to(matrix, master1 + 2, at, couple)
-        weight, place, lever = spread.weight[1], spread.place[1], spread.lever[1]
-        add_to(matrix, master2, at, weight * fx + place[0] * xi)
-        add_to(matrix, master2 + 1, at, weight * fy + place[1] * xi)
-        couple = lever[0] * fx + lever[1] * fy + lever[2] * xi + lever[3] * moment
-        add_to(matrix, master2 + 2, at, couple)
+        matrix[slave, at - slave] += fx
+        matrix[slave + one, at - slave - one] += fy
+        matrix[master1, at - master1] += weight1 * fx + place1[0] * xi
+        matrix[master1 + one, at - master1 - one] += weight1 * fy + place1[1] * xi
+        couple1 = lever1[0] * fx + lever1[1] * fy + lever1[2] * xi + lever1[3] * moment
+        matrix[master1 + two, at - master1 - two] += couple1
+        matrix[master2, at - master2] += weight2 * fx + place2[0] * xi
+        matrix[master2 + one, at - master2 - one] += weight2 * fy + place2[1] * xi
+        couple2 = lever2[0] * fx + lever2[1] * fy + lever2[2] * xi + lever2[3] * moment
+        matrix[master2 + two, at - master2 - two] += couple2
 
 
 @kernel

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.core.contact import bisector, dot4, friction, shape
-from ptbatch.core.jit import STEP, kernel
+from ptbatch.core.jit import STEP, inlined, kernel
 
 COLUMNS = 12  # of a contact element: slave (2), master 1 (3), master 2 (3), the neighbours from these on
 LEFT, RIGHT = 8, 10
@@ -31,7 +31,7 @@ class Spread(NamedTuple):
     couple: tuple
 
 
-@kernel
+@inlined
 def friction_derivatives(slip, rub, press, T, rough, was, c):
     """(T_t, motion), and the derivatives of T_t by slip, press and T; arguments as of `friction`."""
     by_slip, motion = friction(complex(slip, STEP), rub, complex(press, 0.0), complex(T, 0.0), rough, was, c)
@@ -40,7 +40,7 @@ def friction_derivatives(slip, rub, press, T, rough, was, c):
     return by_slip.real, motion, by_slip.imag / STEP, by_press.imag / STEP, by_mean.imag / STEP
 
 
-@kernel
+@inlined
 def force_derivatives(e3, e4, length, gap, t, slip, T, slope, rub, rough, was, c, d):
     """(fx, fy, N, T_t, motion), and in d (7, 2) the derivatives of (fx, fy) by the two chords, gap,
     direction, slip.
@@ -93,7 +93,7 @@ def write(row, e, turn, grow, length, d):
     d[row + 1, 1] = grow[1] * e[1] + turn[1] * e[0] * across
 
 
-@kernel
+@inlined
 def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was, seg, c, d, f, by):
     """Forces f (8,), and in by (4 COLUMNS,) how fx, fy, xi and the moment e x f change with each of the
     twelve degrees of freedom, of which `add_columns` makes the tangent; also returned: (N, T_t, s, motion)

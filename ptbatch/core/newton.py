@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ptbatch.core.assembly import (
+    bend_beam,
     find_segments,
     internal_forces,
     place_tendon,
@@ -231,9 +232,11 @@ def equilibrate(case, target, factor, way):
             work.motion[:] = UNKNOWN
         if not placed:
             place_tendon(case.model, case.state, work.trial, work)
+        if not placed or damping > 0.0:
+            bend_beam(case.model, case.state, work.trial, damping, work)
         if slides:
             slide_tendon(case.model, case.state, work.trial, work)
-        tangent(case.model, case.state, work.trial, case.ends, target.bonded, damping, work)
+        tangent(case.model, case.state, work.trial, case.ends, target.bonded, work)
         unbalance(case, target, factor)
         norm = residual_norm(case)
         if not norm < HOPELESS:

@@ -13,29 +13,6 @@ from ptbatch.core.steel import commit_steel, steel_stress
 
 
 @kernel
-def section_forces(model, state, work):
-    """N and M of all sections in work.section, for work.strain."""
-    eps0, kappa, stress = work.strain[0], work.strain[1], work.fibre[0]
-    N, M = work.section[0], work.section[1]
-    work.section[:2] = 0.0
-    for i in range(model.layer_y.size):
-        fibres(model.layer_y[i], eps0, kappa, state.concrete[i], model.concrete, stress, work.fibre[1])
-        area = model.layer_area[i]
-        lever = model.layer_y[i] * area
-        for s in range(eps0.size):
-            N[s] += area * stress[s]
-            M[s] -= lever * stress[s]
-    for b in range(model.bar_y.size):
-        y = model.bar_y[b]
-        for s in range(eps0.size):
-            area, plastic = model.bar_area[s // 2, b], state.bar[s // 2, s % 2, b]
-            if area > 0.0 and not np.isnan(plastic):
-                bar = steel_stress(eps0[s] - y * kappa[s], plastic, model.bar_fy[b], model.steel)
-                N[s] += area * bar
-                M[s] -= y * area * bar
-
-
-@kernel
 def section_tangent(model, state, damping, work):
     """N, M, dN/deps0, dN/dkappa = dM/deps0 and dM/dkappa of all sections in work.section, for work.strain.
 

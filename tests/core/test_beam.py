@@ -6,7 +6,7 @@ import pytest
 from ptbatch.analysis import prepare
 from ptbatch.core.beam import beam_forces, beam_strains, beam_tangent
 from ptbatch.core.jit import njit
-from ptbatch.core.section import commit_sections, section_forces, section_tangent
+from ptbatch.core.section import commit_sections, section_tangent
 from ptbatch.member import Member
 from ptbatch.model.arrays import set_up
 from tests.core.numerics import central_jacobian, turned_by
@@ -34,7 +34,7 @@ def placed(d):
 @njit
 def force_of(case, u, f):
     beam_strains(case.model, u, case.work)
-    section_forces(case.model, case.state, case.work)
+    section_tangent(case.model, case.state, 0.0, case.work)
     beam_forces(E, case.work, f)
 
 

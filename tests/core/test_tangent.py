@@ -4,7 +4,7 @@ import numba
 import numpy as np
 import pytest
 
-from ptbatch.core.assembly import internal_forces, place_tendon, stay_on_segments, tangent
+from ptbatch.core.assembly import bend_beam, internal_forces, place_tendon, stay_on_segments, tangent
 from ptbatch.core.beam import chord
 from ptbatch.core.contact import (
     BACKWARD,
@@ -34,7 +34,8 @@ def forces_and_tangent(case, u, bonded, was, damping):
     case.work.motion[:] = UNKNOWN
     case.work.motion[1:-1] = was
     place_tendon(case.model, case.state, u, case.work)
-    tangent(case.model, case.state, u, case.ends, bonded, damping, case.work)
+    bend_beam(case.model, case.state, u, damping, case.work)
+    tangent(case.model, case.state, u, case.ends, bonded, case.work)
     return case.work.f.copy(), case.work.matrix.copy()
 
 
