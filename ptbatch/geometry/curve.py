@@ -99,8 +99,8 @@ class Profile:
     def _locate(self, x: ArrayLike, side: Side = "right") -> tuple[NDArray[np.intp], Array]:
         """Piece that x lies in and distance from its left end; at a break the piece on the given side."""
         x = np.asarray(x, dtype=float)
-        piece = np.searchsorted(self.breaks[1:-1], x, side=side)
-        return np.asarray(piece), x - self.breaks[piece]
+        piece = np.asarray(self._inner.searchsorted(x, side=side))
+        return piece, x - self.breaks[piece]
 
     def _depth(self, piece: NDArray[np.intp], t: Array) -> Array:
         """Depth at the distance t from the left end of each piece."""
@@ -109,7 +109,18 @@ class Profile:
 
     def _slope(self, piece: NDArray[np.intp], t: Array) -> Array:
         """Slope at the distance t from the left end of each piece."""
-        return self.coefficients[piece, 1] + 2.0 * self.coefficients[piece, 2] * t
+        start, change = self._slopes
+        return np.asarray(start[piece] + change[piece] * t)
+
+    @cached_property
+    def _inner(self) -> Array:
+        """Where one piece follows on another."""
+        return self.breaks[1:-1]
+
+    @cached_property
+    def _slopes(self) -> tuple[Array, Array]:
+        """Slope at the start of each piece, and its change over a unit of length."""
+        return self.coefficients[:, 1].copy(), 2.0 * self.coefficients[:, 2]
 
     def _piece_length(self, piece: NDArray[np.intp], t: Array) -> Array:
         """Arc length of the first t of each piece, exact to round-off on so smooth a curve."""

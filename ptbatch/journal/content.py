@@ -25,7 +25,7 @@ def encode(outcome: Outcome) -> bytes:
     for name in DETAILS:
         table: list[Any] = []
         for values in getattr(outcome, name).values():
-            if values and all(type(value) is float for value in values):
+            if set(map(type, values)) == {float}:
                 numbers.append(values)
                 values = len(values)
             table.append(values)

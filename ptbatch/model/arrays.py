@@ -28,6 +28,7 @@ class Setup:
     (ndof,).
 
     profile: what the analysis works on. ideal: without waves for wobble, what eq. (38) is applied to.
+    turning: see `turning_tables`.
     """
 
     member: Member
@@ -35,6 +36,7 @@ class Setup:
     ideal: Profile
     mesh: Mesh
     duct: Duct
+    turning: tuple[Array, Array, Array]
     live: tuple[bool, bool]
     self_weight: Array
     sustained: Array
@@ -46,13 +48,15 @@ def set_up(member: Member) -> Setup:
     """Set a member up."""
     profile = tendon_profile(member)
     grid = mesh(member)
+    line = duct(profile, grid.x, gross_section(member).centroid, member.sheathing)
     live = loading.live(member)
     return Setup(
         member,
         profile,
         ideal_profile(member),
         grid,
-        duct(profile, grid.x, gross_section(member).centroid, member.sheathing),
+        line,
+        turning_tables(profile, line),
         (member.jack in ("left", "both"), member.jack in ("right", "both")),
         load_vector(grid.x, loading.self_weight(member)),
         load_vector(grid.x, loading.sustained(member)),
@@ -78,7 +82,6 @@ def model(setup: Setup, losses: Losses) -> tuple[Model, State, Ends, TendonStart
     section = gross_section(member)
     bar_y, bar_area, bar_fy = _bars(member, x, section.centroid)
     start = tendon_start(line, setup.profile, losses, setup.live, member.Ep)
-    stations, turned, direction = turning_tables(setup.profile, line)
     arrays = Model(
         x,
         section.centroid - section.y,
@@ -91,9 +94,7 @@ def model(setup: Setup, losses: Losses) -> tuple[Model, State, Ends, TendonStart
         line.y,
         line.slope,
         line.s,
-        stations,
-        turned,
-        direction,
+        *setup.turning,
         start.position,
         start.rest,
         _held(member, x),

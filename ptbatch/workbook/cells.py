@@ -98,6 +98,8 @@ def _number_in(text: str, between: str) -> float:
 def _choice(column: Column, raw: Any) -> str:
     if not isinstance(raw, str):
         raise CellError(f"{_kind(raw)} is not one of the choices", likely(str(raw), column.choices))
+    if raw in column.choices:
+        return raw
     chosen = {_word(choice): choice for choice in column.choices}.get(_word(raw))
     if chosen is None:
         raise CellError("is not one of the choices", likely(plain(raw), column.choices))

@@ -24,13 +24,14 @@ class Markup(str):
 
 class Styles:
     """Numbers of the styles of a column: of its numbers, its texts, its texts that begin like a formula; and
-    how a cell with a fraction in it starts, before and behind the number of the row."""
+    how a cell with a fraction or a whole number in it starts, before and behind the number of the row."""
 
     def __init__(self, cell: Callable[[Any], Any], column: int) -> None:
         self._number, self._whole, self._text, self._quoted = (
             _style(cell(example)) for example in (1.5, 1, "a", "=a")
         )
         self.start, self.fraction = f'<c r="{get_column_letter(column)}', f'"{self._number}><v>'
+        self.whole = f'"{self._whole}><v>'
         self.texts = Texts(self._text, self._quoted)
 
     def cell(self, value: Any, row: int) -> str | None:
@@ -87,12 +88,16 @@ def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], firs
     cells = []
     rows = range(first, first + len(columns[0]))
     for values, style in zip(columns, styles, strict=True):
-        start, fraction, texts, cell = style.start, style.fraction, style.texts, style.cell
+        start, fraction, whole, texts, cell = style.start, style.fraction, style.whole, style.texts, style.cell
         column = [
             f"{start}{row}{fraction}{value!r}</v></c>"
             if type(value) is float and -inf < value < inf  # nearly all of them
             else f"{start}{row}{texts[value]}"
             if type(value) is str and value  # nearly all others
+            else ""
+            if value is None
+            else f"{start}{row}{whole}{value}</v></c>"
+            if type(value) is int
             else cell(value, row)
             for row, value in zip(rows, values, strict=True)
         ]
