@@ -187,7 +187,7 @@ def add_ends(model, state, u, ends, work):
             work.f[neighbour + i] += work.f6[4 + i]
 
 
-@kernel
+@inlined
 def duct_force(j, held, model, state, u, work):
     """work.f8 of the contact element of tendon node j on its present segment, by the laws as they stand; also
     returned: (N, T_t, s). held: as grout would hold it."""
@@ -331,7 +331,7 @@ def tangent(model, state, u, ends, bonded, work):
     work.motion[n + 1] = UNKNOWN
 
 
-@kernel
+@inlined
 def add_beam(e, model, work):
     beam_tangent(e, model, work, work.f6, work.k6)
     for i in range(6):
@@ -341,7 +341,7 @@ def add_beam(e, model, work):
             add_block(work.matrix, beam_dof(e + i), beam_dof(e + j), work.k6, 3 * i, 3 * j, 3, 3)
 
 
-@kernel
+@inlined
 def add_truss(e, work):
     a = tendon_dof(e)
     b = tendon_dof(e + 1)

@@ -8,7 +8,7 @@ elements.
 
 import numpy as np
 
-from ptbatch.core.jit import kernel
+from ptbatch.core.jit import inlined, kernel
 from ptbatch.core.model import element_displacements
 
 GAUSS = 0.5 - 0.5 / np.sqrt(3.0), 0.5 + 0.5 / np.sqrt(3.0)
@@ -67,7 +67,7 @@ def beam_forces(e, work, f):
     return N, shear
 
 
-@kernel
+@inlined
 def beam_tangent(e, model, work, f, k):
     """Nodal forces f (6,) and tangent k (6, 6) of element e from those of its sections: material part by the
     moduli of the fibres, geometric part of the chord."""

@@ -109,7 +109,7 @@ def piece(eps, worst_opening, secant, worst_pressed, unloading, residual, envelo
     return a + b * residual if tense else d, b if tense else e, 0.0 if tense else f
 
 
-@kernel
+@inlined
 def fibres(y, eps0, kappa, past, c, stress, modulus):
     """Stress and modulus (k,) of the layer at height y in k sections with the histories past (6, k), under
     the strains eps0 - y kappa less what the concrete does by itself."""
@@ -141,7 +141,7 @@ def residual_strain(x, stress, c):
     return min(residual * c.eps_c, x - stress / c.E0)
 
 
-@kernel
+@inlined
 def commit_fibres(y, eps0, kappa, past, c):
     """Move the histories past (6, k) of a layer on where the strains exceed them; arguments as of `fibres`.
 

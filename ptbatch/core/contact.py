@@ -16,7 +16,7 @@ friction force about the sheathing is passed on to the masters.
 from typing import NamedTuple
 
 from ptbatch.core.embedding import arm, turned
-from ptbatch.core.jit import inverse, inverse_root, kernel
+from ptbatch.core.jit import inlined, inverse, inverse_root, kernel
 
 ALMOST = 1.0 - 1e-9  # a node that has been sliding goes on sliding: round-off does not decide
 # Motion of a tendon node along its duct in an iteration
@@ -145,7 +145,7 @@ def bisector(e3, e4):
     return x * scale, y * scale
 
 
-@kernel
+@inlined
 def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
     """Force of the tendon node on its duct: (fx, fy, N, T_t, motion).
 
@@ -170,7 +170,7 @@ def node_force(e3, e4, u, gap, t, slip, T3, T4, rub, rough, was, c):
     return Tt * ux - N * uy, Tt * uy + N * ux, N, Tt, motion
 
 
-@kernel
+@inlined
 def contact_forces(q, px, py, xi, e3, e4, T3, T4, s0, rub, rough, was, seg, c, f):
     """Forces f (8,) on slave and masters; also returned: (N, T_t, s, motion).
 
