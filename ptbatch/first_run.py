@@ -29,23 +29,40 @@ def compile_ahead() -> None:
 
 
 def late_kernels() -> dict[Any, tuple[Any, ...]]:
-    """What the first process comes to late, in that order, and the types that it will have there."""
-    from numba import types
+    """What the first process comes to late, in about that order, and the types that it will have there."""
+    from numba import typeof, types
 
-    from ptbatch.core.assembly import tangent
+    from ptbatch.core import follow
+    from ptbatch.core.assembly import slide_tendon, tangent
     from ptbatch.core.equilibrium import imbalance_as_evaluated
     from ptbatch.core.failure import demands_as_evaluated
+    from ptbatch.core.newton import factorise_tangent, step
     from ptbatch.core.reference import ReferenceType
     from ptbatch.core.step import accept
 
     case, target, vector = kinds()
     whole, real = types.int64, types.float64
-    model, state, ends, work = (ReferenceType(case.field(name)[1]) for name in ("model", "state", "ends", "work"))
+    model, state, ends, work = (
+        ReferenceType(case.field(name)[1]) for name in ("model", "state", "ends", "work")
+    )
+    demand, control = (0.0, 0.0, 0.0), follow.Control(0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    way = typeof(follow.Way(0.0, 0.0, 0.0, demand, demand, (False, False, False), 0))
+    trial = typeof(follow.Trial(0.0, False, False, 0.0, 0, 0.0, demand, False))
     return {
         tangent: (model, state, vector, ends, types.boolean, work),
+        slide_tendon: (model, state, vector, work),
+        factorise_tangent: (case,),
+        step: (case, target),
         imbalance_as_evaluated: (case, target, real),
         accept: (case, whole, real, whole, real),
         demands_as_evaluated: (case,),
+        follow.met: (typeof(demand),),
+        follow.deflection: (case, typeof(control)),
+        follow.foreseen: (way, real),
+        follow.next_step: (trial,),
+        follow.first_passed: (way, typeof(demand), typeof(demand)),
+        follow.news: (way, typeof(demand)),
+        follow.fastest: (case,),
     }
 
 

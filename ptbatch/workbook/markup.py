@@ -88,7 +88,13 @@ def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], firs
     cells = []
     rows = range(first, first + len(columns[0]))
     for values, style in zip(columns, styles, strict=True):
-        start, fraction, whole, texts, cell = style.start, style.fraction, style.whole, style.texts, style.cell
+        start, fraction, whole, texts, cell = (
+            style.start,
+            style.fraction,
+            style.whole,
+            style.texts,
+            style.cell,
+        )
         column = [
             f"{start}{row}{fraction}{value!r}</v></c>"
             if type(value) is float and -inf < value < inf  # nearly all of them
