@@ -93,17 +93,17 @@ def substitute(a, multipliers, pivots, reach, b, c):
         for i in range(min(half, n - one - k)):
             b[k + one + i] -= multipliers[k, i] * b_k
             c[k + one + i] -= multipliers[k, i] * c_k
-    for back in range(one, n + one):
-        k = n - back
-        right = np.uint64(reach[k]) - k
-        b_odd, b_even, c_odd, c_even = b[k], 0.0, c[k], 0.0
+    for done in range(n):
+        row = n - one - done
+        right = np.uint64(reach[row]) - row
+        b_odd, b_even, c_odd, c_even = b[row], 0.0, c[row], 0.0
         for j in range(one, right, two):
-            b_odd -= a[k, half + j] * b[k + j]
-            c_odd -= a[k, half + j] * c[k + j]
-            b_even -= a[k, half + j + one] * b[k + j + one]
-            c_even -= a[k, half + j + one] * c[k + j + one]
+            b_odd -= a[row, half + j] * b[row + j]
+            c_odd -= a[row, half + j] * c[row + j]
+            b_even -= a[row, half + j + one] * b[row + j + one]
+            c_even -= a[row, half + j + one] * c[row + j + one]
         if right % two == one:
-            b_odd -= a[k, half + right] * b[k + right]
-            c_odd -= a[k, half + right] * c[k + right]
-        b[k] = (b_odd + b_even) * a[k, half]
-        c[k] = (c_odd + c_even) * a[k, half]
+            b_odd -= a[row, half + right] * b[row + right]
+            c_odd -= a[row, half + right] * c[row + right]
+        b[row] = (b_odd + b_even) * a[row, half]
+        c[row] = (c_odd + c_even) * a[row, half]

@@ -98,6 +98,9 @@ def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was
     """Forces f (8,), and in by (4 COLUMNS,) how fx, fy, xi and the moment e x f change with each of the
     twelve degrees of freedom, of which `add_columns` makes the tangent; also returned: (N, T_t, s, motion)
     and the Spread. Arguments as of `contact_forces` and `force_derivatives`, all real; d (7, 2) is scratch.
+
+    by is flat: of rows of a matrix the compiler would not know that they are apart, and take the columns one
+    by one.
     """
     w, w1, w2 = shape(xi, seg.smooth)
     rx, ry = q[0] - dot4(w, px), q[1] - dot4(w, py)

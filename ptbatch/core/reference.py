@@ -11,7 +11,6 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
-from llvmlite import ir
 from numba import typeof
 from numba._dispatcher import compute_fingerprint
 from numba.core import cgutils, types
@@ -30,7 +29,7 @@ from numba.extending import (
 from ptbatch.core.jit import kernel
 
 
-class ReferenceType(types.Type):  # type: ignore[misc]
+class ReferenceType(types.Type):
     """Pointer to a tuple with arrays in it. Its name goes into the names of all compiled functions and is
     short for that."""
 
@@ -42,7 +41,7 @@ class ReferenceType(types.Type):  # type: ignore[misc]
     def field(self, name: str) -> tuple[int, Any]:
         """Place and type of a field."""
         place = self.content.fields.index(name)
-        return place, self.content[place]
+        return place, self.content.types[place]
 
 
 register_model(ReferenceType)(models.OpaqueModel)
@@ -50,9 +49,8 @@ register_model(ReferenceType)(models.OpaqueModel)
 
 def has_arrays(kind: Any) -> bool:
     """Whether a type is a tuple with an array somewhere in it."""
-    return isinstance(kind, types.BaseNamedTuple) and any(
-        isinstance(part, types.Array) or has_arrays(part) for part in kind
-    )
+    parts = getattr(kind, "types", ()) if isinstance(kind, types.BaseNamedTuple) else ()
+    return any(isinstance(part, types.Array) or has_arrays(part) for part in parts)
 
 
 class Reference:
@@ -91,10 +89,10 @@ def _unboxed(kind: ReferenceType, reference: Any, c: Any) -> NativeValue:
 
 
 @infer_getattr
-class _Fields(AttributeTemplate):  # type: ignore[misc]
+class _Fields(AttributeTemplate):
     key = ReferenceType
 
-    def generic_resolve(self, kind: ReferenceType, name: str) -> Any:
+    def generic_resolve(self, kind: Any, name: Any) -> Any:  # type: ignore[override]
         """Type of a field."""
         if name not in kind.content.fields:
             return None
@@ -143,16 +141,14 @@ def _fixed(builder: Any, at: Any) -> Any:
     return value
 
 
-@intrinsic
-def _size_of(typing: Any, values: Any) -> Any:
+def _size_in_memory(typing: Any, values: Any) -> Any:
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         return context.get_constant(types.intp, context.get_abi_sizeof(context.get_value_type(values)))
 
     return types.intp(values), build
 
 
-@intrinsic
-def _store(typing: Any, address: Any, values: Any) -> Any:
+def _put_in_memory(typing: Any, address: Any, values: Any) -> Any:
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         to = builder.inttoptr(arguments[0], context.get_value_type(values).as_pointer())
         for path in _leaves(values):
@@ -165,16 +161,22 @@ def _store(typing: Any, address: Any, values: Any) -> Any:
 
 def _leaves(kind: Any) -> Iterator[tuple[int, ...]]:
     """Where the fields without arrays in them, and the arrays, are in a tuple of tuples."""
-    for place, part in enumerate(kind):
+    for place, part in enumerate(kind.types):
         within: Iterable[tuple[int, ...]] = _leaves(part) if has_arrays(part) else ((),)
         yield from ((place, *path) for path in within)
 
 
-@kernel
-def _size(values):  # type: ignore[no-untyped-def]
-    return _size_of(values)
+size_in_memory: Any = intrinsic(_size_in_memory)
+put_in_memory: Any = intrinsic(_put_in_memory)
 
 
 @kernel
-def _put(address, values):  # type: ignore[no-untyped-def]
-    _store(address, values)
+def _size(values):
+    """Bytes that a tuple takes."""
+    return size_in_memory(values)
+
+
+@kernel
+def _put(address, values):
+    """Write a tuple to where it is to lie."""
+    put_in_memory(address, values)

@@ -25,8 +25,8 @@ class Strand(NamedTuple):
 
 @inlined
 def envelope(eps, law, s):
-    """First-loading stress by s.law; straight with Ep below zero strain (a slack tendon is stiff only in name: it is
-    never left there)."""
+    """First-loading stress, by s.law; straight with Ep below zero strain (a slack tendon is stiff only in
+    name: it is never left there)."""
     elastic = s.Ep * eps
     if law == ELASTIC_TENDON:
         return elastic

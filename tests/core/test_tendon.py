@@ -25,7 +25,9 @@ def steel(tendon_law="ramberg-osgood", **more):
 def test_ramberg_osgood_passes_the_points_of_the_standard(fpu, fpy, Ep):
     s = steel(fpu=fpu, fpy=fpy, Ep=Ep)
     assert envelope(0.01, s.law, s) == pytest.approx(fpy, rel=1e-9)  # published: ASTM A416, 1 % strain
-    assert envelope(0.035, s.law, s) == pytest.approx(fpu, rel=1e-3)  # closed form up to (knee / Ep epu)^R / R
+    assert envelope(0.035, s.law, s) == pytest.approx(
+        fpu, rel=1e-3
+    )  # closed form up to (knee / Ep epu)^R / R
     assert complex_slope(lambda e: envelope(e, s.law, s), 1e-4) == pytest.approx(Ep, rel=1e-6)  # closed form
 
 
@@ -44,7 +46,9 @@ def test_tangent_is_the_derivative(tendon_law, eps, worst):
     s = steel(tendon_law)
     slope = complex_slope(lambda e: tendon_stress(e, worst, s.law, s), eps)
     # rounding of 2000 MPa over 2e-7 is 2e-6 MPa; the curve's own third derivative adds 1e-5
-    assert slope == pytest.approx(central_slope(lambda e: tendon_stress(e, worst, s.law, s), eps, 1e-7), rel=1e-6)
+    assert slope == pytest.approx(
+        central_slope(lambda e: tendon_stress(e, worst, s.law, s), eps, 1e-7), rel=1e-6
+    )
 
 
 @any_law
