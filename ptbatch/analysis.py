@@ -102,16 +102,24 @@ def jacking_stress(setup: Setup) -> float:
     if member.fpe is None:
         assert member.fpj is not None  # a Member has exactly one of the two
         return member.fpj
-    return fpj_for_mean(setup.ideal, member.fpe, member.mu, member.K, member.Ep, member.set, member.jack)
+    return rigid_jacking_stress(setup, member.fpe)
+
+
+def rigid_jacking_stress(setup: Setup, fpe: float) -> float:
+    """The jacking stress that leaves the mean stress fpe on a rigid member."""
+    member = setup.member
+    return fpj_for_mean(setup.ideal, fpe, member.mu, member.K, member.Ep, member.set, member.jack)
 
 
 def stress_to_mean(run: Run, wanted: float) -> Run:
     """Repeat stages 1 to 3 with the jacking stress moved (secant) until the mean stress after anchoring is
     as `wanted`."""
-    before = 0.0, 0.0  # no jacking stress, no mean stress
+    before = rigid_jacking_stress(run.setup, 0.0), 0.0  # all of it is lost in the set
     for _ in range(8):
         mean = run.rig.mean_stress
         if abs(mean - wanted) <= FPE_TOLERANCE * wanted:
+            return run
+        if mean == before[1]:  # more will not help
             break
         fpj = run.fpj + (wanted - mean) * (run.fpj - before[0]) / (mean - before[1])
         before = run.fpj, mean
@@ -119,9 +127,7 @@ def stress_to_mean(run: Run, wanted: float) -> Run:
         again.rig.case.work.spent[:] = run.rig.case.work.spent  # one budget for all of them
         run = again
         stress(run)
-    else:
-        raise stages.NoEquilibriumError(stages.JACKING, stages.NO_MEAN, 1.0)
-    return run
+    raise stages.NoEquilibriumError(stages.JACKING, stages.NO_MEAN, 1.0)
 
 
 def serve(run: Run, refine: float, loss: TimeLoss | None = None) -> int:
