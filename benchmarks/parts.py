@@ -9,7 +9,7 @@ import numpy as np
 from benchmarks.stagewise import stressed
 from benchmarks.table import Table
 from ptbatch.analysis import serve
-from ptbatch.core.assembly import add_beam, bend_beam, place_tendon, tangent
+from ptbatch.core.assembly import add_beam, bend_beam, tangent
 from ptbatch.core.case import Target
 from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.failure import demands_as_evaluated
@@ -17,6 +17,7 @@ from ptbatch.core.history import commit
 from ptbatch.core.jit import kernel
 from ptbatch.core.newton import factorise_tangent, residual_alone
 from ptbatch.core.newton import step as increment
+from ptbatch.core.placement import place_tendon
 from ptbatch.member import Member
 
 LOOP, REPEATS = 50, 9

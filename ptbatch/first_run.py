@@ -33,10 +33,11 @@ def late_kernels() -> dict[Any, tuple[Any, ...]]:
     from numba import typeof, types
 
     from ptbatch.core import follow
-    from ptbatch.core.assembly import slide_tendon, tangent
+    from ptbatch.core.assembly import tangent
     from ptbatch.core.equilibrium import imbalance_as_evaluated
     from ptbatch.core.failure import demands_as_evaluated
     from ptbatch.core.newton import factorise_tangent, step
+    from ptbatch.core.placement import slide_tendon
     from ptbatch.core.reference import ReferenceType
     from ptbatch.core.step import accept
 

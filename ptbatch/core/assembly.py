@@ -12,116 +12,14 @@ from ptbatch.core.contact import (
     HELD,
     UNKNOWN,
     contact_forces,
-    masters,
-    project,
     segment,
 )
-from ptbatch.core.contact_tangent import COLUMNS, LEFT, RIGHT, contact_tangent
-from ptbatch.core.jit import STEP, cos_sin, inlined, kernel
+from ptbatch.core.contact_tangent import COLUMNS, LEFT, MASTER1, MASTER2, RIGHT, SLAVE, contact_tangent
+from ptbatch.core.jit import STEP, inlined, kernel
 from ptbatch.core.model import ANCHORED, beam_dof, tendon_dof
+from ptbatch.core.placement import duct_at, gather_contact, gather_end, stretch_tendon
 from ptbatch.core.section import section_tangent
-from ptbatch.core.slide import slide
-from ptbatch.core.truss import stretch, tensions, truss_tangent, unit
-from ptbatch.core.turning import roughness
-
-
-@kernel
-def gather_end(side, model, u, work):
-    """q6 of a tendon end and its neighbour's number."""
-    n = model.x.size - 1
-    node, neighbour, gap = (0, 1, 0) if side == 0 else (n, n, tendon_dof(n + 1))
-    q = work.q6
-    q[0] = u[gap]
-    for i in range(3):
-        q[1 + i] = u[beam_dof(node) + i]
-    at = tendon_dof(neighbour)
-    q[4] = model.tendon_x[neighbour, 0] - model.x[node] + u[at]
-    q[5] = model.tendon_x[neighbour, 1] + u[at + 1]
-
-
-@kernel
-def place_nodes(model, u, work):
-    """Displacements of all tendon nodes from `tendon_x`, and how the beam nodes have turned."""
-    n = model.x.size - 1
-    for k in range(n + 1):
-        work.turn[k, 0], work.turn[k, 1] = cos_sin(u[beam_dof(k) + 2])
-    for j in range(1, n + 1):
-        work.place[j, 0] = u[tendon_dof(j)]
-        work.place[j, 1] = u[tendon_dof(j) + 1]
-    for side in range(2):
-        gather_end(side, model, u, work)
-        a = anchor(side, model)
-        x, y, _, _ = end_position(work.q6, a)
-        j = side * (n + 1)
-        work.place[j, 0] = x
-        work.place[j, 1] = y - a.y
-
-
-@kernel
-def stretch_tendon(model, state, work):
-    """Tension, its slope dT/dlength, length and direction of all tendon elements."""
-    for e in range(model.rest_length.size):
-        x = model.tendon_x[e + 1, 0] - model.tendon_x[e, 0] + (work.place[e + 1, 0] - work.place[e, 0])
-        y = model.tendon_x[e + 1, 1] - model.tendon_x[e, 1] + (work.place[e + 1, 1] - work.place[e, 1])
-        work.length[e], work.chord[e, 0], work.chord[e, 1] = unit(x, y)
-        work.stretch[e] = stretch(model.rest_length[e], work.length[e])
-    tensions(work.stretch, state.tendon, model.rest_length, model.strand, work.T, work.slope)
-
-
-@kernel
-def gather_contact(j, model, u, work):
-    """q8 of the contact element of tendon node j on its present segment."""
-    m = work.segment[j]
-    q = work.q8
-    x = model.x[m]
-    q[0] = model.tendon_x[j, 0] - x + work.place[j, 0]
-    q[1] = model.tendon_x[j, 1] + work.place[j, 1]
-    for i in range(6):
-        q[2 + i] = u[beam_dof(m) + i] if i < 3 else u[beam_dof(m + 1) + i - 3]
-
-
-@kernel
-def duct_at(j, seg, work):
-    """The duct of the segment that tendon node j is on, see `masters`."""
-    m = work.segment[j]
-    turn1, turn2 = (work.turn[m, 0], work.turn[m, 1]), (work.turn[m + 1, 0], work.turn[m + 1, 1])
-    return masters(work.q8, turn1, turn2, seg)
-
-
-@kernel
-def find_segments(model, u, work):
-    """Contact search: give each inner tendon node the segment that its projection lies in, and its arc
-    length.
-
-    A node stays within the segments that the band of the matrix has room for; beyond the last of them its
-    segment is prolonged.
-    """
-    n = model.x.size - 1
-    reach = (half_width(work.matrix) - 9) // 5
-    place_nodes(model, u, work)
-    for j in range(1, n + 1):
-        for _ in range(n):
-            m = work.segment[j]
-            gather_contact(j, model, u, work)
-            seg = segment(m, model)
-            px, py = duct_at(j, seg, work)
-            xi = project(work.q8, px, py, work.xi[j], seg)
-            if xi > 1.0 and m < min(n - 1, j - 1 + reach):
-                work.segment[j] = m + 1
-                work.xi[j] = (xi - 1.0) * seg.h / (model.x[m + 2] - model.x[m + 1])
-            elif xi < 0.0 and m > max(0, j - 1 - reach):
-                work.segment[j] = m - 1
-                work.xi[j] = 1.0 + xi * seg.h / (model.x[m] - model.x[m - 1])
-            else:
-                work.xi[j] = xi
-                work.s[j] = seg.s + xi * seg.ds
-                break
-        work.hats[j] = work.s[j]
-    work.s[0] = model.duct_s[0] - u[0]
-    work.s[n + 1] = model.duct_s[n] + u[tendon_dof(n + 1)]
-    work.hats[0] = model.duct_s[0]
-    work.hats[n + 1] = model.duct_s[n]
-    roughness(work.hats, model, work.rough)
+from ptbatch.core.truss import truss_tangent
 
 
 @kernel
@@ -215,20 +113,9 @@ def duct_force(j, held, model, state, u, work):
 
 
 @kernel
-def stay_on_segments(model, u, work):
-    """Project each inner tendon node on the duct segment found by the last search."""
-    place_nodes(model, u, work)
-    for j in range(1, model.x.size):
-        gather_contact(j, model, u, work)
-        seg = segment(work.segment[j], model)
-        px, py = duct_at(j, seg, work)
-        work.xi[j] = project(work.q8, px, py, work.xi[j], seg)
-
-
-@kernel
 def internal_forces(model, state, u, ends, bonded, work):
     """work.f at u, for which `find_segments` or `stay_on_segments` has placed the tendon: without a
-    tangent."""
+    tangent, but with all that this needs of the beam and the tendon's elements."""
     n = model.x.size - 1
     stretch_tendon(model, state, work)
     bend_beam(model, state, u, 0.0, work)
@@ -272,21 +159,15 @@ def add_to(matrix, row, column, value):
 
 
 @kernel
-def add_block(matrix, row, column, k, i, j, rows, columns):
-    """Add the part of an element's tangent k that starts at (i, j) to the matrix from (row, column) on."""
-    half = half_width(matrix)
-    for r in range(rows):
-        at = np.uint64(column - row - r + half)
-        to, of = np.uint64(row + r), np.uint64(i + r)
-        for c in range(np.uint64(columns)):
+def add_block(matrix, row, column, k, i, j):
+    """Add the three by three of an element's tangent k that start at (i, j) to the matrix from (row, column)
+    on."""
+    half, three = half_width(matrix), np.uint64(3)
+    for r in range(three):
+        at = np.uint64(column - row + half) - r
+        to, of = np.uint64(row) + r, np.uint64(i) + r
+        for c in range(three):
             matrix[to, at + c] += k[of, np.uint64(j) + c]
-
-
-@kernel
-def place_tendon(model, state, u, work):
-    """Contact search and tensions at u."""
-    find_segments(model, u, work)
-    stretch_tendon(model, state, work)
 
 
 @kernel
@@ -294,18 +175,6 @@ def bend_beam(model, state, u, damping, work):
     """Strains, forces and moduli of all sections at u; see `section_tangent`."""
     beam_strains(model, u, work)
     section_tangent(model, state, damping, work)
-
-
-@kernel
-def slide_tendon(model, state, u, work):
-    """Move the tendon, as placed, along the duct to where friction balances it: its nodes in u, and what
-    `place_tendon` found. Both its ends are anchored."""
-    if slide(model, state, work):
-        for j in range(1, model.x.size):
-            for i in range(2):
-                u[tendon_dof(j) + i] += work.ahead[j] * work.axis[j, i]
-        work.motion[:] = UNKNOWN
-        place_tendon(model, state, u, work)
 
 
 @kernel
@@ -338,7 +207,7 @@ def add_beam(e, model, work):
         work.f[(beam_dof(e) if i < 3 else beam_dof(e + 1) - 3) + i] += work.f6[i]
     for i in range(2):
         for j in range(2):
-            add_block(work.matrix, beam_dof(e + i), beam_dof(e + j), work.k6, 3 * i, 3 * j, 3, 3)
+            add_block(work.matrix, beam_dof(e + i), beam_dof(e + j), work.k6, 3 * i, 3 * j)
 
 
 @inlined
@@ -383,7 +252,7 @@ def add_contact(j, model, state, u, bonded, work):
         model.contact,
         work.d7,
         work.f8,
-        work.by,
+        work.columns,
     )
     work.normal[j] = N
     work.shear[j] = Tt
@@ -393,9 +262,9 @@ def add_contact(j, model, state, u, bonded, work):
         work.held_back[0] += 1
     add_contact_forces(j, work)
     rows = tendon_dof(j), beam_dof(work.segment[j]), beam_dof(work.segment[j] + 1)
-    add_columns(0, tendon_dof(j), 2, rows, spread, work)
-    add_columns(2, rows[1], 3, rows, spread, work)
-    add_columns(5, rows[2], 3, rows, spread, work)
+    add_columns(SLAVE, tendon_dof(j), 2, rows, spread, work)
+    add_columns(MASTER1, rows[1], 3, rows, spread, work)
+    add_columns(MASTER2, rows[2], 3, rows, spread, work)
     add_to(work.matrix, rows[1] + 2, rows[1] + 2, spread.couple[0])
     add_to(work.matrix, rows[2] + 2, rows[2] + 2, spread.couple[1])
     n = model.x.size - 1
@@ -413,7 +282,7 @@ def add_contact(j, model, state, u, bonded, work):
 def add_columns(first, column, count, rows, spread, work):
     """Add so many columns of a contact element, from its `first` on, to the matrix from `column` on; rows:
     where slave and masters are in it."""
-    matrix, by = work.matrix, work.by
+    matrix, by = work.matrix, work.columns
     one, two = np.uint64(1), np.uint64(2)
     slave, master1, master2 = np.uint64(rows[0]), np.uint64(rows[1]), np.uint64(rows[2])
     weight1, weight2 = spread.weight
@@ -439,7 +308,7 @@ def add_end_columns(side, first, rows, spread, model, u, work):
     """Add the two columns of a neighbour that is an end node of the tendon, which its gap and its beam node
     carry."""
     n = model.x.size - 1
-    by = work.by
+    by = work.columns
     gather_end(side, model, u, work)
     x, y, ox, oy = end_position(work.q6, anchor(side, model))
     dx, dy = x - work.q6[1], y - work.q6[2]

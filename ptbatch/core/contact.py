@@ -189,17 +189,26 @@ def contact_forces(q, px, py, xi, e3, e4, T3, T4, s0, rub, rough, was, seg, c, f
     gap = ry * tx - rx * ty
     u = bisector(e3, e4)
     fx, fy, N, Tt, motion = node_force(e3, e4, u, gap, (tx, ty), s - s0, T3, T4, rub, rough, was, c)
-    f[0] = fx
-    f[1] = fy
-    f[2] = -fx * w[0]
-    f[3] = -fy * w[0]
-    f[5] = -fx * w[2]
-    f[6] = -fy * w[2]
     couple = rx * fy - ry * fx
     ax1 = px[0] - q[2]
     ay1 = py[0] - q[3]
     ax2 = px[2] - seg.h - q[5]
     ay2 = py[2] - q[6]
-    f[4] = -(fy * (w[0] * ax1 + w[1] * px[1]) - fx * (w[0] * ay1 + w[1] * py[1]) + (1.0 - xi) * couple)
-    f[7] = -(fy * (w[2] * ax2 + w[3] * px[3]) - fx * (w[2] * ay2 + w[3] * py[3]) + xi * couple)
+    lever1 = w[0] * ax1 + w[1] * px[1], w[0] * ay1 + w[1] * py[1]
+    lever2 = w[2] * ax2 + w[3] * px[3], w[2] * ay2 + w[3] * py[3]
+    share_out(fx, fy, couple, xi, w, lever1, lever2, f)
     return N, Tt, s, motion
+
+
+@inlined
+def share_out(fx, fy, couple, xi, w, lever1, lever2, f):
+    """f (8,) of the force on the slave and its couple about the duct: what the masters bear of them, by
+    weights w and levers (x, y)."""
+    f[0] = fx
+    f[1] = fy
+    f[2] = -fx * w[0]
+    f[3] = -fy * w[0]
+    f[4] = -(fy * lever1[0] - fx * lever1[1] + (1.0 - xi) * couple)
+    f[5] = -fx * w[2]
+    f[6] = -fy * w[2]
+    f[7] = -(fy * lever2[0] - fx * lever2[1] + xi * couple)

@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.core.contact import bisector, dot4, friction, shape
+from ptbatch.core.contact import bisector, dot4, friction, shape, share_out
 from ptbatch.core.jit import STEP, inlined, kernel
 
-COLUMNS = 12  # of a contact element: slave (2), master 1 (3), master 2 (3), the neighbours from these on
-LEFT, RIGHT = 8, 10
+COLUMNS = 12  # of a contact element, and the first of each node
+SLAVE, MASTER1, MASTER2, LEFT, RIGHT = 0, 2, 5, 8, 10
 
 
 class Spread(NamedTuple):
@@ -105,7 +105,7 @@ def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was
     w, w1, w2 = shape(xi, seg.smooth)
     rx, ry = q[0] - dot4(w, px), q[1] - dot4(w, py)
     vx, vy = dot4(w1, px), dot4(w1, py)  # p'
-    cx, cy = dot4(w2, px), dot4(w2, py)  # p''
+    second = dot4(w2, px), dot4(w2, py)  # p''
     slowness = 1.0 / np.sqrt(vx * vx + vy * vy)
     tx, ty = vx * slowness, vy * slowness
     s = seg.s + xi * seg.ds
@@ -120,42 +120,18 @@ def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was
     x2, y2 = w[2] * ax2 + w[3] * px[3], w[2] * ay2 + w[3] * py[3]
     x1_xi, y1_xi = w1[0] * ax1 + w1[1] * px[1], w1[0] * ay1 + w1[1] * py[1]
     x2_xi, y2_xi = w1[2] * ax2 + w1[3] * px[3], w1[2] * ay2 + w1[3] * py[3]
-    # by each of the first eight: movement e of the slave against the duct point, and dp'
-    put(0, 1.0, 0.0, 0.0, 0.0, by)
-    put(1, 0.0, 1.0, 0.0, 0.0, by)
-    put(2, -w[0], 0.0, w1[0], 0.0, by)
-    put(3, 0.0, -w[0], 0.0, w1[0], by)
-    put(4, y1, -x1, -y1_xi, x1_xi, by)
-    put(5, -w[2], 0.0, w1[2], 0.0, by)
-    put(6, 0.0, -w[2], 0.0, w1[2], by)
-    put(7, y2, -x2, -y2_xi, x2_xi, by)
-    bend = 1.0 / (vx * vx + vy * vy - rx * cx - ry * cy)
-    by_gap, by_turn, by_slip = (d[4, 0], d[4, 1]), (d[5, 0], d[5, 1]), (d[6, 0], d[6, 1])
-    for j in range(8):
-        ex, ey, dvx, dvy = by[j], by[COLUMNS + j], by[2 * COLUMNS + j], by[3 * COLUMNS + j]
-        dxi = (ex * vx + ey * vy + rx * dvx + ry * dvy) * bend
-        dgap = ey * tx - ex * ty
-        turn = (tx * (dvy + cy * dxi) - ty * (dvx + cx * dxi)) * slowness
-        slip = seg.ds * dxi
-        by[j] = by_gap[0] * dgap + by_turn[0] * turn + by_slip[0] * slip
-        by[COLUMNS + j] = by_gap[1] * dgap + by_turn[1] * turn + by_slip[1] * slip
-        by[2 * COLUMNS + j] = dxi
-        by[3 * COLUMNS + j] = ex * fy - ey * fx
-    for i in range(2):  # the chords, which the slave moves one way and the neighbours the other
-        for j in range(2):
-            by[i * COLUMNS + j] += d[j, i] - d[j + 2, i]
-    for j in range(2):
-        put(LEFT + j, -d[j, 0], -d[j, 1], 0.0, 0.0, by)
-        put(RIGHT + j, d[j + 2, 0], d[j + 2, 1], 0.0, 0.0, by)
+    move(SLAVE, (1.0, 0.0), (0.0, 0.0), by)
+    move(SLAVE + 1, (0.0, 1.0), (0.0, 0.0), by)
+    move(MASTER1, (-w[0], 0.0), (w1[0], 0.0), by)
+    move(MASTER1 + 1, (0.0, -w[0]), (0.0, w1[0]), by)
+    move(MASTER1 + 2, (y1, -x1), (-y1_xi, x1_xi), by)
+    move(MASTER2, (-w[2], 0.0), (w1[2], 0.0), by)
+    move(MASTER2 + 1, (0.0, -w[2]), (0.0, w1[2]), by)
+    move(MASTER2 + 2, (y2, -x2), (-y2_xi, x2_xi), by)
+    follow_moves((rx, ry), (vx, vy), second, slowness, seg.ds, (fx, fy), d, by)
+    turn_chords(d, by)
     couple, turned = rx * fy - ry * fx, vx * fy - vy * fx
-    f[0] = fx
-    f[1] = fy
-    f[2] = -fx * w[0]
-    f[3] = -fy * w[0]
-    f[4] = -(fy * x1 - fx * y1 + (1.0 - xi) * couple)
-    f[5] = -fx * w[2]
-    f[6] = -fy * w[2]
-    f[7] = -(fy * x2 - fx * y2 + xi * couple)
+    share_out(fx, fy, couple, xi, w, (x1, y1), (x2, y2), f)
     place1 = fy * x1_xi - fx * y1_xi - (1.0 - xi) * turned - couple
     place2 = fy * x2_xi - fx * y2_xi - xi * turned + couple
     spread = Spread(
@@ -170,10 +146,39 @@ def contact_tangent(q, px, py, xi, e3, e4, length, T, slope, s0, rub, rough, was
     return N, Tt, s, motion, spread
 
 
-@kernel
-def put(column, ex, ey, dvx, dvy, by):
-    """Write the four numbers of a column."""
-    by[column] = ex
-    by[COLUMNS + column] = ey
-    by[2 * COLUMNS + column] = dvx
-    by[3 * COLUMNS + column] = dvy
+@inlined
+def move(column, e, dv, by):
+    """What a degree of freedom moves: the slave by e against the duct point, p' by dv."""
+    by[column], by[COLUMNS + column] = e
+    by[2 * COLUMNS + column], by[3 * COLUMNS + column] = dv
+
+
+@inlined
+def follow_moves(r, v, second, slowness, ds, force, d, by):
+    """Of what slave and masters move, as `move` has written it, what it does to fx, fy, xi and the moment
+    e x f. r: gap as a vector; v, second: p', p''; slowness: 1 / |p'|."""
+    (rx, ry), (vx, vy), (cx, cy) = r, v, second
+    tx, ty = vx * slowness, vy * slowness
+    bend = 1.0 / (vx * vx + vy * vy - rx * cx - ry * cy)
+    by_gap, by_turn, by_slip = (d[4, 0], d[4, 1]), (d[5, 0], d[5, 1]), (d[6, 0], d[6, 1])
+    for j in range(LEFT):
+        ex, ey, dvx, dvy = by[j], by[COLUMNS + j], by[2 * COLUMNS + j], by[3 * COLUMNS + j]
+        dxi = (ex * vx + ey * vy + rx * dvx + ry * dvy) * bend
+        dgap = ey * tx - ex * ty
+        turn = (tx * (dvy + cy * dxi) - ty * (dvx + cx * dxi)) * slowness
+        slip = ds * dxi
+        by[j] = by_gap[0] * dgap + by_turn[0] * turn + by_slip[0] * slip
+        by[COLUMNS + j] = by_gap[1] * dgap + by_turn[1] * turn + by_slip[1] * slip
+        by[2 * COLUMNS + j] = dxi
+        by[3 * COLUMNS + j] = ex * force[1] - ey * force[0]
+
+
+@inlined
+def turn_chords(d, by):
+    """Add what the chords do to fx and fy: the slave moves them one way, the neighbours, which move nothing
+    else, the other."""
+    for j in range(2):
+        for i in range(2):
+            by[i * COLUMNS + SLAVE + j] += d[j, i] - d[j + 2, i]
+            by[i * COLUMNS + LEFT + j], by[i * COLUMNS + RIGHT + j] = -d[j, i], d[j + 2, i]
+            by[(2 + i) * COLUMNS + LEFT + j] = by[(2 + i) * COLUMNS + RIGHT + j] = 0.0

@@ -10,9 +10,10 @@ the duct, which must lie within Coulomb's cone.
 import numpy as np
 
 from ptbatch.core.anchorage import anchor, end_forces
-from ptbatch.core.assembly import gather_end, internal_forces, stay_on_segments
+from ptbatch.core.assembly import internal_forces
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import beam_dof, tendon_dof
+from ptbatch.core.placement import gather_end, stay_on_segments
 
 
 @kernel

@@ -4,20 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ptbatch.core.assembly import (
-    bend_beam,
-    find_segments,
-    internal_forces,
-    place_tendon,
-    slide_tendon,
-    stay_on_segments,
-    tangent,
-)
+from ptbatch.core.assembly import bend_beam, internal_forces, tangent
 from ptbatch.core.banded import factorise, half_width, substitute
 from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
 from ptbatch.core.model import ANCHORED, PRESCRIBED, tendon_dof
+from ptbatch.core.placement import find_segments, place_tendon, slide_tendon, stay_on_segments
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
 HOPELESS = 1e8  # relative residual
@@ -215,8 +208,8 @@ def equilibrate(case, target, factor, way):
     slides = way.slides and anchored and not target.bonded
     reused = np.inf  # residual at the last use of a tangent that is not of its place
     for iteration in range(way.most):
-        placed = norm <= NEAR
-        if placed:  # the last step may have arrived: a tangent would be too much for a look
+        looked = norm <= NEAR
+        if looked:  # the last step may have arrived: a tangent would be too much for a look
             norm = residual_alone(case, target, factor)
             if norm <= tolerance.residual and increment <= tolerance.increment:
                 return CONVERGED, factor, iteration, norm
@@ -230,9 +223,9 @@ def equilibrate(case, target, factor, way):
                 continue
         if way.search:
             work.motion[:] = UNKNOWN
-        if not placed:
+        if not looked:  # which has left all that the tangent needs
             place_tendon(case.model, case.state, work.trial, work)
-        if not placed or damping > 0.0:
+        if not looked or damping > 0.0:
             bend_beam(case.model, case.state, work.trial, damping, work)
         if slides:
             slide_tendon(case.model, case.state, work.trial, work)

@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ptbatch.core.contact_tangent import COLUMNS
+
 
 class Work(NamedTuple):
     """n beam elements, ndof = 5 n + 7, half = half bandwidth."""
@@ -51,7 +53,7 @@ class Work(NamedTuple):
     k2: np.ndarray  # (2, 2)
     q8: np.ndarray
     f8: np.ndarray
-    by: np.ndarray  # (48,) see `contact_tangent`
+    columns: np.ndarray  # (4 COLUMNS,) of a contact element, see `contact_tangent`
     z6: np.ndarray  # complex
     w6: np.ndarray
     d7: np.ndarray  # (7, 2)
@@ -105,7 +107,7 @@ def new_work(n: int, half: int) -> Work:
         np.zeros((2, 2)),
         np.zeros(8),
         np.zeros(8),
-        np.zeros(48),
+        np.zeros(4 * COLUMNS),
         *complex_scratch,
         np.zeros((7, 2)),
         np.zeros(n + 2),

@@ -90,8 +90,7 @@ def test_self_equilibrium():
 def test_tangent_is_the_central_difference(fresh, phi):
     rig = arrays() if fresh else cracked()
     d = rotated(BENT, phi)
-    f, exact = tangent(rig, d)
-    np.testing.assert_array_equal(f, forces(rig, d))
+    _, exact = tangent(rig, d)
     difference = central_jacobian(lambda p: forces(rig, p), d, np.tile([1e-5, 1e-5, 1e-8], 2))
     scale = np.abs(exact).max(axis=0)
     # steps of 1e-8 of strain; a fibre whose law has a corner within that would show, none of these has

@@ -9,8 +9,8 @@ import numba
 import numpy as np
 import pytest
 
-from ptbatch.core.assembly import place_tendon, slide_tendon
 from ptbatch.core.contact import UNKNOWN
+from ptbatch.core.placement import place_tendon, slide_tendon
 from ptbatch.core.slide import slide
 from tests.members import KINDS, anchored
 

@@ -4,7 +4,7 @@ import numba
 import numpy as np
 import pytest
 
-from ptbatch.core.assembly import bend_beam, internal_forces, place_tendon, stay_on_segments, tangent
+from ptbatch.core.assembly import bend_beam, internal_forces, tangent
 from ptbatch.core.beam import chord
 from ptbatch.core.contact import (
     BACKWARD,
@@ -14,6 +14,7 @@ from ptbatch.core.contact import (
     HELD,
     UNKNOWN,
 )
+from ptbatch.core.placement import place_tendon, stay_on_segments
 from tests.core.numerics import central_jacobian
 from tests.members import SMALL, anchored, jacked, sustained
 
