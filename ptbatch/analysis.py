@@ -21,7 +21,7 @@ from ptbatch.run import Run
 from ptbatch.tendon_losses import tendon_losses
 
 ROWS = 1200  # most steps recorded of one member
-FPE_TOLERANCE = 1e-6
+FPE_TOLERANCE = 2e-8  # of the mean stress: some loads of cracking change by 40 times its error
 BUDGET = 30_000  # iterations of one member at most
 OTHER_STEPS = (1.1, 1.3)  # times as fine: where cracks open at once, steps decide on whether a way is found
 
