@@ -14,7 +14,18 @@ from typing import NamedTuple
 from ptbatch import __version__
 from ptbatch.core import cache
 
-NEEDED = ("numba", "llvmlite", "numpy", "scipy", "openpyxl", "defusedxml", "matplotlib", "click", "jinja2")
+NEEDED = (
+    "numba",
+    "llvmlite",
+    "numpy",
+    "scipy",
+    "openpyxl",
+    "orjson",
+    "defusedxml",
+    "matplotlib",
+    "click",
+    "jinja2",
+)
 OPTIONAL = {
     "pyarrow": ("Parquet tables", "pip install 'ptbatch[parquet]'"),
     "distributed": ("several machines", "pip install 'ptbatch[cluster]'"),

@@ -30,8 +30,10 @@ class Journal:
 
     def key(self, member: Member) -> bytes | None:
         """Where the outcome of a member is to be found; None if it is not known."""
+        if not self._resume:
+            return None
         key = member_key(member)
-        return key if self._resume and key in self._records else None
+        return key if key in self._records else None
 
     def read(self, key: bytes) -> Outcome:
         """A known outcome."""

@@ -93,6 +93,18 @@ def test_rows_that_come_together(tmp_path):
     assert sheet.auto_filter.ref == "A1:B8"
 
 
+def test_columns_of_numbers_keep_every_digit(tmp_path):
+    """Also the largest and the smallest, and beside a number that no cell can hold."""
+    numbers = [0.1, 1 / 3, -0.0, 1e-5, 1e16, -1.25e22, 5e-324, 1.7976931348623157e308, 123456.0]
+    book = write.Book()
+    page = book.page("s", ["load [kN]", "moment [kNm]"])
+    page.extend([numbers, [*numbers[:-1], float("nan")]])
+    sheet = load_workbook(book.save(tmp_path / "s.xlsx"))["s"]
+    first, second = ([cell.value for cell in column[1:]] for column in sheet.columns)
+    assert [float(value).hex() for value in first] == [value.hex() for value in numbers]
+    assert second == [*numbers[:-1], "not a finite number"]
+
+
 def test_a_sheet_that_has_no_room_for_all_takes_none(tmp_path, monkeypatch):
     monkeypatch.setattr("ptbatch.workbook.page.LAST_ROW", 4)
     book = write.Book()
