@@ -12,6 +12,7 @@ from time import perf_counter
 
 from ptbatch.first_run import compile_ahead
 from ptbatch.member import Member
+from ptbatch.turns import turns
 from ptbatch.workbook.results import DETAILS, NOT_ANALYSED, SUMMARY, Columns, Outcome
 
 Outcomes = Callable[[Iterable[Member]], Iterator[Outcome]]
@@ -41,13 +42,15 @@ def _in_order(
     """Outcomes in the order of the members, of which at most so many are taken ahead."""
     analyse: Callable[[Member], Outcome] | None = None
     queue: deque[Future[Outcome]] = deque()
-    for member in members:
-        analyse = analyse or _compiling_engine()
-        queue.append(pool.submit(_unless_stopped, analyse, member, stop))
-        while queue and (queue[0].done() or len(queue) >= ahead):
+    with turns.taken(sooner=False):
+        for member in members:
+            analyse = analyse or _compiling_engine()
+            queue.append(pool.submit(_unless_stopped, analyse, member, stop))
+            turns.offered(sooner=False)
+            while queue and (queue[0].done() or len(queue) >= ahead):
+                yield _result(queue.popleft())
+        while queue:
             yield _result(queue.popleft())
-    while queue:
-        yield _result(queue.popleft())
 
 
 def _compiling_engine() -> Callable[[Member], Outcome]:
@@ -57,12 +60,14 @@ def _compiling_engine() -> Callable[[Member], Outcome]:
 
 
 def _unless_stopped(analyse: Callable[[Member], Outcome], member: Member, stop: Event) -> Outcome:
-    return not_analysed(STOPPED) if stop.is_set() else analyse(member)
+    with turns.taken():
+        return not_analysed(STOPPED) if stop.is_set() else analyse(member)
 
 
 def _result(future: Future[Outcome]) -> Outcome:
-    while not wait([future], POLL).done:
-        pass
+    with turns.left(sooner=False):
+        while not wait([future], POLL).done:
+            pass
     return future.result()
 
 

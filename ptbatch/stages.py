@@ -16,6 +16,7 @@ from ptbatch.core.history import concrete_stress
 from ptbatch.core.model import ANCHORED, PRESCRIBED, PULLED
 from ptbatch.core.ramp import DONE, NO_BUDGET, NO_EQUILIBRIUM, NO_ROOM, ramp
 from ptbatch.core.reference import Reference
+from ptbatch.turns import turns
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
@@ -153,6 +154,7 @@ def load_to_failure(rig: Rig, fixed: Array, pattern: Array, control: Control, bo
     """Service, last part: the live pattern, driven by the control point's deflection to its limit or to the
     rupture of the tendon; how it ended, a key of `WHY` or DONE."""
     rig.case.state.rub[:] *= LET_GO
-    ended = int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))
+    with turns.left():
+        ended = int(follow(rig.handle, LIVE, fixed, pattern, control, bonded))
     spent = rig.case.work.spent[0] >= rig.case.tolerance.budget
     return NO_BUDGET if ended == NO_EQUILIBRIUM and spent else ended
