@@ -25,6 +25,7 @@ from ptbatch.workbook.column import System
 from ptbatch.workbook.filed import LONG_TABLES, place_of
 from ptbatch.workbook.inputs import Inputs, read_inputs
 from ptbatch.workbook.output import Output
+from ptbatch.workbook.read_ahead import ReadAhead
 from ptbatch.workbook.results import NOT_ANALYSED, summary_headers, summary_line
 
 STATUSES = ("ok", "warning", "invalid", "not converged", NOT_ANALYSED)
@@ -84,13 +85,14 @@ def run_workbook(
     parquet: Path | None = None,
     stop: Event | None = None,
     units: System | None = None,
+    ahead: ReadAhead | None = None,
 ) -> Batch:
     """Analyse the members of a workbook, a CSV or a Parquet file and write the results workbook.
 
     only: names of members, all if empty. outcomes: who analyses them, `jobs` threads if None. resume: take
     what an unfinished run of the same output left in its journal. parquet: folder for the long tables; one
     is made if there are MANY members. stop: once it is set, rows that have not begun are not analysed. units:
-    of the results, those of the input if None.
+    of the results, those of the input if None. ahead: who may be reading the workbook already.
 
     Raises ReadError, UnknownMemberError, WriteError, MissingArrowError; KeyboardInterrupt if `stop` is set
     before the first row.
@@ -98,7 +100,7 @@ def run_workbook(
     start, started = perf_counter(), datetime.now()
     only, stop = tuple(only), stop or Event()
     path = output or results_path(source)
-    inputs = read_inputs(source)
+    inputs = read_inputs(source, ahead)
     inputs = inputs.only(only) if only else inputs
     check_target(path, source)
     if stop.is_set():

@@ -87,9 +87,13 @@ def run(
         raise click.UsageError("--jobs is for this machine: it goes without --scheduler")
     if quiet and verbose:
         raise click.UsageError("--quiet and --verbose exclude each other")
+    from ptbatch.workbook.read_ahead import ReadAhead
+
+    ahead = ReadAhead(workbook)  # before all else is imported
     from ptbatch.batch import results_path, run_workbook
     from ptbatch.closing import closing_table
     from ptbatch.interrupt import interruptible
+    from ptbatch.runner import engine
 
     if not quiet:
         _say(*_about_journal(output or results_path(workbook), resume))
@@ -98,7 +102,11 @@ def run(
         with interruptible() as stop:
             outcomes = _outcomes_of(scheduler, stop) if scheduler else None
             settings = (workbook, output, jobs, only, progress, outcomes)
-            batch = run_workbook(*settings, resume=resume, parquet=parquet, stop=stop, units=units)
+            if ahead.under_way and not scheduler:
+                engine()  # there is time to load it
+            batch = run_workbook(
+                *settings, resume=resume, parquet=parquet, stop=stop, units=units, ahead=ahead
+            )
     except UnknownMemberError as error:
         raise click.BadParameter(str(error), param_hint="--only") from error
     if as_json:

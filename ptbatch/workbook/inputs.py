@@ -15,16 +15,15 @@ from ptbatch.workbook.column import System
 from ptbatch.workbook.columns import BY_NAME, MEMBERS
 from ptbatch.workbook.joined import join
 from ptbatch.workbook.lazy import Rows
-from ptbatch.workbook.optional import OPTIONAL_SHEETS
+from ptbatch.workbook.optional import MAIN, OPTIONAL_SHEETS
 from ptbatch.workbook.problems import Listed, Problem
-from ptbatch.workbook.read import RawSheet, read_sheets
+from ptbatch.workbook.read import RawSheet
+from ptbatch.workbook.read_ahead import ReadAhead, raw_sheets
 from ptbatch.workbook.rows import Row, RowReader
 from ptbatch.workbook.settings import Settings, read_settings
 from ptbatch.workbook.source import MOST_MEMBERS, Source, sheet_source
 from ptbatch.workbook.systems import typical
 from ptbatch.workbook.table import Table, make_table
-
-MAIN = "members"
 
 
 @dataclass(frozen=True)
@@ -61,13 +60,14 @@ class Inputs:
         return replace(self, rows=rows)
 
 
-def read_inputs(path: Path) -> Inputs:
-    """Read and validate a table of members. Raises ReadError where there is nothing to validate."""
+def read_inputs(path: Path, ahead: ReadAhead | None = None) -> Inputs:
+    """Read and validate a table of members; ahead: of a workbook, who may be reading it already. Raises
+    ReadError where there is nothing to validate."""
     for suffixes, source in _TABLES.items():
         if path.suffix.lower() in suffixes:
             with _naming(path):
                 return _inputs(path, source(path), {}, Settings())
-    return make_inputs(path, read_sheets(path, MAIN, [*OPTIONAL_SHEETS, "settings"]))
+    return make_inputs(path, ahead.sheets() if ahead else raw_sheets(path))
 
 
 _TABLES = {delimited.SUFFIXES: delimited.csv_source, columnar.SUFFIXES: columnar.parquet_source}

@@ -33,4 +33,5 @@ SETTINGS = (
     Column("value", "its default in this workbook; SI or US for units", "text", required=True),
 )
 
+MAIN = "members"  # the sheet that they are joined to
 OPTIONAL_SHEETS = {"profile": PROFILE, "rebar": REBAR, "loads": LOADS}

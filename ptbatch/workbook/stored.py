@@ -14,8 +14,8 @@ from ptbatch.member import Member
 from ptbatch.validation import likely
 from ptbatch.workbook.column import System
 from ptbatch.workbook.filed import folder_in, rows_of, sheet_of
-from ptbatch.workbook.inputs import MAIN, make_inputs
-from ptbatch.workbook.optional import OPTIONAL_SHEETS
+from ptbatch.workbook.inputs import make_inputs
+from ptbatch.workbook.optional import MAIN, OPTIONAL_SHEETS
 from ptbatch.workbook.read import RawSheet, guarded, open_book
 from ptbatch.workbook.settings import read_settings
 from ptbatch.workbook.systems import record_in
