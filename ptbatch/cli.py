@@ -89,7 +89,7 @@ def run(
         raise click.UsageError("--quiet and --verbose exclude each other")
     from ptbatch.workbook.read_ahead import ReadAhead
 
-    ahead = ReadAhead(workbook)  # before all else is imported
+    ahead = None if scheduler else ReadAhead(workbook)  # before all else is imported
     from ptbatch.batch import results_path, run_workbook
     from ptbatch.closing import closing_table
     from ptbatch.interrupt import interruptible
@@ -102,7 +102,7 @@ def run(
         with interruptible() as stop:
             outcomes = _outcomes_of(scheduler, stop) if scheduler else None
             settings = (workbook, output, jobs, only, progress, outcomes)
-            if ahead.under_way and not scheduler:
+            if ahead and ahead.under_way:
                 engine()  # there is time to load it
             batch = run_workbook(
                 *settings, resume=resume, parquet=parquet, stop=stop, units=units, ahead=ahead

@@ -60,8 +60,7 @@ def _compiling_engine() -> Callable[[Member], Outcome]:
 
 
 def _unless_stopped(analyse: Callable[[Member], Outcome], member: Member, stop: Event) -> Outcome:
-    with turns.taken():
-        return not_analysed(STOPPED) if stop.is_set() else analyse(member)
+    return not_analysed(STOPPED) if stop.is_set() else analyse(member)
 
 
 def _result(future: Future[Outcome]) -> Outcome:
@@ -90,6 +89,7 @@ def engine() -> Callable[[Member], Outcome]:
         tendon_table,
     )
 
+    @turns.taken()
     def run(member: Member) -> Outcome:
         start = perf_counter()
         try:
