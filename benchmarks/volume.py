@@ -77,7 +77,7 @@ def mixed_table(count: int) -> Table:
     table = Table(
         f"Mixed rows: ptbatch run of {count} of the random population, {os.cpu_count()} workers",
         ["rows", "s", "ms/row", "peak memory [MB]", "results [MB]"],
-        note="Reading, analysis and writing; everything is compiled.",
+        note="Reading, analysis and writing; everything is compiled. The input is saved as Excel saves it.",
     )
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "mixed.xlsx"

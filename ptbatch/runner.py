@@ -39,14 +39,15 @@ def on_threads(jobs: int, stop: Event | None = None) -> Outcomes:
 def _in_order(
     pool: ThreadPoolExecutor, members: Iterable[Member], ahead: int, stop: Event
 ) -> Iterator[Outcome]:
-    """Outcomes in the order of the members, of which at most so many are taken ahead."""
+    """Outcomes in the order of the members, of which at most so many are taken ahead. This thread, which
+    reads members and uses outcomes, has its turns after those that analyse."""
     analyse: Callable[[Member], Outcome] | None = None
     queue: deque[Future[Outcome]] = deque()
     with turns.taken(sooner=False):
         for member in members:
             analyse = analyse or _compiling_engine()
             queue.append(pool.submit(_unless_stopped, analyse, member, stop))
-            turns.offered(sooner=False)
+            turns.offered()
             while queue and (queue[0].done() or len(queue) >= ahead):
                 yield _result(queue.popleft())
         while queue:
@@ -64,7 +65,7 @@ def _unless_stopped(analyse: Callable[[Member], Outcome], member: Member, stop: 
 
 
 def _result(future: Future[Outcome]) -> Outcome:
-    with turns.left(sooner=False):
+    with turns.left():
         while not wait([future], POLL).done:
             pass
     return future.result()

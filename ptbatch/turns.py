@@ -22,39 +22,48 @@ class Turns:
         self._sooner, self._later = Condition(self._lock), Condition(self._lock)
         self._waiting = 0  # of the first kind
         self._holder: int | None = None
+        self._kinds: dict[int, bool] = {}  # of the threads that take turns: whether they are of the first
 
     @contextmanager
     def taken(self, sooner: bool = True) -> Iterator[None]:
-        """It is this thread's turn within."""
-        self._take(sooner)
+        """It is this thread's turn within. A turn within a turn is the same one."""
+        me = get_ident()
+        if me in self._kinds:
+            yield
+            return
+        self._kinds[me] = sooner
+        self._take(me)
         try:
             yield
         finally:
-            self._give()
+            self._give(me)
+            del self._kinds[me]
 
     @contextmanager
-    def left(self, sooner: bool = True) -> Iterator[None]:
-        """It is somebody else's turn within, if it was this thread's; afterwards it is this one's again.
+    def left(self) -> Iterator[None]:
+        """It is somebody else's turn within and this thread's afterwards, also where others have stopped
+        waiting for it before. Nothing happens to a thread that takes no turns.
 
         Worth it for kernels of many milliseconds: after a short one a thread would have to wait anew.
         """
-        if self._holder != get_ident():
+        me = get_ident()
+        if me not in self._kinds:
             yield
             return
-        self._give()
+        self._give(me)
         try:
             yield
         finally:
-            self._take(sooner)
+            self._take(me)
 
-    def offered(self, sooner: bool = True) -> None:
+    def offered(self) -> None:
         """Whoever is waiting has a turn first."""
-        with self.left(sooner):
+        with self.left():
             pass
 
-    def _take(self, sooner: bool) -> None:
+    def _take(self, me: int) -> None:
         with self._lock:
-            if sooner:
+            if self._kinds[me]:
                 self._waiting += 1
                 try:
                     self._sooner.wait_for(lambda: self._holder is None, PATIENCE)
@@ -62,11 +71,11 @@ class Turns:
                     self._waiting -= 1
             else:
                 self._later.wait_for(lambda: self._holder is None and not self._waiting, PATIENCE)
-            self._holder = get_ident()
+            self._holder = me
 
-    def _give(self) -> None:
+    def _give(self, me: int) -> None:
         with self._lock:
-            if self._holder == get_ident():  # or else its patience was at an end
+            if self._holder == me:  # or else somebody's patience was at an end
                 self._holder = None
                 (self._sooner if self._waiting else self._later).notify()
 
