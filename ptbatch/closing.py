@@ -50,10 +50,10 @@ def _by_concern(batch: "Batch", columns: Sequence[int]) -> Iterator[list[Any]]:
 
 
 def _row(member: str, status: str, peak: Any, failure: Any, message: str) -> tuple[str, ...]:
-    """A row that did not pass has no peak, and its message says why."""
-    passed = status in PASSED
-    end = "; ".join(str(text) for text in (failure if passed else "", message) if text)
-    return _short(member, 30), status, f"{peak:9.1f}" if passed else "-".rjust(9), _short(end, 100)
+    """A row that did not pass, or failed before its live load, has no peak, and its message says why."""
+    has_peak = isinstance(peak, float)
+    end = "; ".join(str(text) for text in (failure if has_peak else "", message) if text)
+    return _short(member, 30), status, f"{peak:9.1f}" if has_peak else "-".rjust(9), _short(end, 100)
 
 
 def _short(text: str, most: int) -> str:

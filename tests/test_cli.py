@@ -34,6 +34,13 @@ def test_some_rows_fail(book, beam, engine, bad):
     assert [row[1] for row in summary(path.with_name("beams.results.xlsx"))][0] == "ok"
 
 
+def test_a_row_that_fails_before_its_live_load_has_no_peak_to_tell(book, beam, capsys):
+    assert exit_code(["run", str(book(beam | {"w_dead": 400, "elements": 8, "layers": 10}))]) == 0
+    told = capsys.readouterr().err
+    assert "B1      warning          -  concrete crushing at x = " in told
+    assert "under the sustained load: no live load can be carried\n1 warning; results:" in told
+
+
 def test_a_crash_stays_in_its_row(book, beam, engine):
     path = book(beam | {"member": "crash"}, beam)
     exit_code(["run", str(path)])

@@ -108,13 +108,13 @@ def _inputs(path: Path, source: Source, optional: Mapping[str, RawSheet], settin
     }
     attached = {sheet: rows.by_member for sheet, rows in joined.items()}
     errors = [problem for problem in settings.problems if not problem.warning]
-    reader = RowReader(table, settings.defaults, attached, names.repeated, errors)
+    typed = [found.typed for columns in table.found.values() for found in columns]
+    system = settings.units or typical(typed)
+    reader = RowReader(table, settings.defaults, attached, names.repeated, errors, system)
     problems = [*settings.problems, *table.problems, *(p for rows in joined.values() for p in rows.problems)]
     with path.open("rb") as file:
         digest = file_digest(file, "sha256").hexdigest()
     rows = Rows(reader, source.blocks, names.rows)
-    typed = [found.typed for columns in table.found.values() for found in columns]
-    system = settings.units or typical(typed)
     return Inputs(path, digest, rows, problems, settings, list(table.others.values()), system)
 
 

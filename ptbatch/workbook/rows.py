@@ -9,11 +9,13 @@ from typing import Any
 from ptbatch.member import Member, MemberError
 from ptbatch.rules.fault import Fault
 from ptbatch.validation import member_faults
+from ptbatch.workbook.column import System
 from ptbatch.workbook.columns import BY_NAME
 from ptbatch.workbook.joined import BUILDERS, Attached
 from ptbatch.workbook.problems import Place, Problem, message
 from ptbatch.workbook.read import Block
 from ptbatch.workbook.settings import Setting
+from ptbatch.workbook.systems import sentence_in
 from ptbatch.workbook.table import Table
 
 ALTERNATIVES = {"fpj": "fpe", "fpe": "fpj", "K": "k_ec2", "k_ec2": "K"}
@@ -46,6 +48,7 @@ class RowReader:
     """Reads the rows of one workbook.
 
     attached: rows of the optional sheets by sheet name, then by member. repeated: rows that share a name.
+    system: of the units that faults are told in.
     """
 
     def __init__(
@@ -55,9 +58,10 @@ class RowReader:
         attached: Mapping[str, Mapping[str, Attached]],
         repeated: Mapping[str, list[int]],
         errors: list[Problem],
+        system: System,
     ) -> None:
         self.table, self.defaults, self.attached = table, defaults, attached
-        self.repeated = repeated
+        self.repeated, self.system = repeated, system
         self.errors = errors + table.errors()
 
     def over(self, block: Block) -> "RowReader":
@@ -130,7 +134,8 @@ class RowReader:
         wrong = fault.wrong
         if wrong == "missing" and fault.column not in self.table.found:
             wrong = "there is no such column"
-        return Problem(place, raw, wrong, fault.cure, warning)
+        wrong, cure = (sentence_in(text, self.system) for text in (wrong, fault.cure))
+        return Problem(place, raw, wrong, cure, warning)
 
     def _where(self, name: str, number: int) -> tuple[Place, Any]:
         raw = self.table.raw(number, name)

@@ -18,7 +18,8 @@ _SI = {us: si for si, us in _US.items()}
 _ELSEWHERE: Mapping[System, Mapping[str, str]] = {"US": _US, "SI": _SI}
 # What figures and reports use besides: units of the US, and of a product the number of them in one of SI
 _SHOWN = {"m": "ft", "mm2": "in2", "kN/m": "kip/ft", "kN/m3": "pcf", "1/m": "1/ft", "rad/m": "rad/ft"}
-_AMOUNT = re.compile(r"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) (mm2|mm|kN m|kN|MPa)\b")
+_NUMBER = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?"
+_AMOUNT = re.compile(rf"({_NUMBER})(?: to ({_NUMBER}))? (mm2|mm|m|kN/m3|kN/m|kN m|kN|MPa)\b(?!/)")
 _PRODUCTS = {"MPa m": ("ksi ft", conversion("MPa", "ksi") * conversion("m", "ft"))}
 
 
@@ -66,14 +67,14 @@ def times(value: Any, factor: float) -> Any:
 
 
 def sentence_in(text: str, system: System) -> str:
-    """A message of an analysis, which names quantities in SI units, in a system."""
-    if system == "SI":
-        return text
-    return _AMOUNT.sub(lambda found: _amount(float(found[1]), *shown(found[2], system)), text)
+    """A message that names quantities, or ranges of them, in SI units, in a system."""
+    return text if system == "SI" else _AMOUNT.sub(lambda found: _amount(found, system), text)
 
 
-def _amount(value: float, unit: str, factor: float) -> str:
-    return f"{value * factor:.4g} {unit}"
+def _amount(found: re.Match[str], system: System) -> str:
+    first, last, si = found.groups()
+    unit, factor = shown(si, system)
+    return " to ".join(f"{float(number) * factor:.4g}" for number in (first, last) if number) + f" {unit}"
 
 
 def typical(headers: Iterable[str]) -> System:

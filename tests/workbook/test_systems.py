@@ -53,6 +53,8 @@ def in_si() -> dict:
         ("concrete crushing at x = 6096 mm under the load", "concrete crushing at x = 240 in under the load"),
         ("beyond 4.4482216 kN, deflection 25.4 mm", "beyond 1 kip, deflection 1 in"),
         ("at 99.6% of the stage; 3 mmm", "at 99.6% of the stage; 3 mmm"),
+        ("0 to 25.4 mm; 30.48 mm to 3.048 m", "0 to 1 in; 1.2 in to 10 ft"),
+        ("8 to 5 of it; 14.593903 kN/m; 3 kN/mm; 2 of 5 m", "8 to 5 of it; 1 kip/ft; 3 kN/mm; 2 of 16.4 ft"),
     ],
 )
 def test_messages_are_in_the_units_of_the_results(si, us):
