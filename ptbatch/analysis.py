@@ -92,7 +92,7 @@ def stress(run: Run) -> None:
     """Stages 1 to 3."""
     member, weight = run.setup.member, run.setup.self_weight
     stages.jack(run.rig, run.fpj * member.intact_area, weight)
-    stages.set_wedges(run.rig, member.set, weight, run.losses.set_zone)
+    stages.set_wedges(run.rig, member.set, weight)
     stages.anchor(run.rig, weight)
 
 

@@ -167,17 +167,6 @@ class Losses:
         return to_left if end == "left" else self.friction.length - to_left
 
     @property
-    def set_zone(self) -> tuple[float, float]:
-        """Arc lengths [mm] up to which the left end's set moves the tendon, and from which on that of the
-        right end does; beyond the tendon where that end is not live."""
-        path, length = self.friction.path, self.friction.length
-        left, right = (self.still.get(end) for end in ("left", "right"))
-        return (
-            -length if left is None else float(path.arc_length(left)),
-            2.0 * length if right is None else float(path.arc_length(right)),
-        )
-
-    @property
     def loss_jacking_end(self) -> float:
         """1 - anchored / fpj at the live end (the left one of two)."""
         return 1.0 - float(self.stress_anchored(self.friction.ends[self.friction.live[0]])) / self.fpj

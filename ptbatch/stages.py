@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from ptbatch.core.case import Case
 from ptbatch.core.concrete import FREE
-from ptbatch.core.contact import EXPECTED_BACKWARD, EXPECTED_FORWARD
 from ptbatch.core.failure import LIMIT, demands
 from ptbatch.core.follow import Control, follow
 from ptbatch.core.history import concrete_stress
@@ -119,15 +118,9 @@ def jack(rig: Rig, force: float, self_weight: Array) -> None:
     move(rig, JACKING, loads, (np.zeros(2), np.where(rig.live, force, 0.0)))
 
 
-def set_wedges(rig: Rig, wedge_set: float, load: Array, zone: tuple[float, float]) -> None:
-    """Wedge set: the live ends move back by the set; friction turns round over the influence length.
-
-    zone: arc lengths up to which, and from which on, that is expected to happen.
-    """
-    state = rig.case.state
-    state.rub[:] *= LET_GO
-    state.motion[state.s < zone[LEFT]] = EXPECTED_FORWARD
-    state.motion[state.s > zone[RIGHT]] = EXPECTED_BACKWARD
+def set_wedges(rig: Rig, wedge_set: float, load: Array) -> None:
+    """Wedge set: the live ends move back by the set; friction turns round over the influence length."""
+    rig.case.state.rub[:] *= LET_GO
     for side in rig.ends:
         rig.drive(side, PRESCRIBED)
         rig.case.ends.value[side] = rig.gap(side)

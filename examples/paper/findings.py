@@ -9,6 +9,7 @@ CLEARLY = "20 MPa: what is meant by obvious, tens of MPa."
 FRICTION, NONE = "Specimen 2, friction", "Specimen 2, no friction"
 NEAR = "to 1 in"  # the same, in steps a third as long
 WHOLE = 196.5  # kN, the peak load beyond that
+WEAKEST = 36.6  # kN, the peak load of A-1
 LOADED, TAO_AND_DU, COOKE = "Specimen 2, loaded to 76 mm", "Tao and Du's beams", "Cooke's slabs"
 BEAMS = ("A-1", "A-2", "A-3", "A-6", "A-9")
 MIDDLE, ENDS = 11430, (0, 15240)  # of the loaded span and of the member [mm]
@@ -95,14 +96,26 @@ def cracks_of_specimen_2() -> list[Row]:
 def tao_and_du() -> list[Row]:
     """Load at deflections and at peak, with and without friction."""
     source = f"{PAPER}, Fig. 14 and text: negligible differences with and without friction"
-    rows = []
+    toothed = (
+        f"{HARDLY} Of this beam, which has the least steel, the load goes down by 2 to 5 % with each crack: "
+        "in steps of 2.1 mm, where they fall decides by up to 4.4 % of the peak load which have opened at "
+        "30 mm. In eight lengths of steps from 0.26 to 1.05 mm the difference is 1.6 % at most. UNVERIFIED "
+        "INPUT."
+    )
+    first, *others = BEAMS
+    rows = [
+        published(TAO_AND_DU, f"{first}, mu 0.3, to 35 mm", "load [kN]", 0, source, deflection=d,
+                  how="difference", against=f"{first}, mu 0, to 35 mm", atol=0.02 * WEAKEST, note=toothed)
+        for d in (5, 10, 30)
+    ]  # fmt: skip
     for beam in BEAMS:
-        others = SHARE | {"against": f"{beam}, mu 0", "note": f"{HARDLY} UNVERIFIED INPUT."}
+        alike = SHARE | {"against": f"{beam}, mu 0", "note": f"{HARDLY} UNVERIFIED INPUT."}
         member = f"{beam}, mu 0.3"
         rows += [
-            published(TAO_AND_DU, member, "load", 0, source, deflection=d, **others) for d in (5, 10, 30, 60)
-        ]
-        rows.append(published(TAO_AND_DU, member, "load_peak", 0, source, **others))
+            published(TAO_AND_DU, member, "load", 0, source, deflection=d, **alike)
+            for d in (5, 10, 30, 60) if beam in others or d == 60
+        ]  # fmt: skip
+        rows.append(published(TAO_AND_DU, member, "load_peak", 0, source, **alike))
     return rows
 
 

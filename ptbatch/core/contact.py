@@ -97,6 +97,17 @@ def projection_step(q, px, py, xi, seg):
 
 
 @kernel
+def pace(q, px, py, xi, u, seg):
+    """Arc length along the duct at rest by which the slave's projection moves on as the slave moves by one in
+    the direction u; q, px, py, xi: as of `project`, which has found xi."""
+    w, w1, w2 = shape(xi, seg.smooth)
+    rx, ry = q[0] - dot4(w, px), q[1] - dot4(w, py)
+    tx, ty = dot4(w1, px), dot4(w1, py)
+    bend = rx * dot4(w2, px) + ry * dot4(w2, py)
+    return seg.ds * (u[0] * tx + u[1] * ty) / (tx * tx + ty * ty - bend)
+
+
+@kernel
 def project(q, px, py, xi, seg):
     """xi of the slave's projection, from a first guess; it may lie outside 0..1, which the contact search
     then mends. px, py: see `masters`."""

@@ -151,7 +151,7 @@ def reach(case, load, drive, step, way, ahead):
     value = driven(case.state.u, drive.dof, drive.other) + drive.sense * step
     target = Target(load.fixed, load.pattern, load.bonded, drive.dof, drive.other, value)
     share = step / way.taken if ahead and way.taken > 0.0 else 0.0
-    status, factor, iterations, error = find_equilibrium(case, target, way.factor, share, way.taken == 0.0)
+    status, factor, iterations, error = find_equilibrium(case, target, way.factor, share)
     demand, tendon = demands_as_evaluated(case)
     return Trial(step, ahead, status == CONVERGED, factor, iterations, error, demand, tendon >= 1.0)
 

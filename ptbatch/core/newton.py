@@ -9,7 +9,7 @@ from ptbatch.core.banded import factorise, half_width, substitute
 from ptbatch.core.case import driven
 from ptbatch.core.contact import UNKNOWN
 from ptbatch.core.jit import kernel
-from ptbatch.core.model import ANCHORED, PRESCRIBED, tendon_dof
+from ptbatch.core.model import PRESCRIBED, PULLED, tendon_dof
 from ptbatch.core.placement import find_segments, place_tendon, slide_tendon, stay_on_segments
 
 CONVERGED, TOO_MANY_ITERATIONS, SINGULAR = range(3)
@@ -25,14 +25,13 @@ SETTLED = 4  # iterations without a lower residual after which one at round-off 
 class Way(NamedTuple):
     """A way of iterating. damping: this share of the uncracked stiffness is added to the tangent in the first
     iteration, and `decay` of it is left from one to the next; search: along each step for the share of it
-    that leaves no work to do; slides: an anchored tendon slides into balance before each tangent."""
+    that leaves no work to do."""
 
     most: int  # iterations, in all and without a lower residual
     patience: int
     damping: float
     decay: float
     search: bool
-    slides: bool
 
 
 @kernel
@@ -193,19 +192,40 @@ def repeats(norm, iteration, norms):
 
 
 @kernel
+def pulled(ends):
+    """Whether a jack pulls at the tendon."""
+    return ends.mode[0] == PULLED or ends.mode[1] == PULLED
+
+
+@kernel
+def slides_along(case, target):
+    """Whether the tendon is to slide into balance before each tangent: between ends that stand still, by
+    friction across the bisector."""
+    return case.model.contact.corrected and not target.bonded and not pulled(case.ends)
+
+
+@kernel
+def place_ends(case):
+    """Put prescribed ends of the tendon where they are to be."""
+    for side in range(2):
+        if case.ends.mode[side] == PRESCRIBED:
+            case.work.trial[tendon_dof(side * case.model.x.size)] = case.ends.value[side]
+
+
+@kernel
 def equilibrate(case, target, factor, way):
     """Iterate work.trial to equilibrium; returns (status, factor, iterations, relative residual).
 
     Where it converged, the last evaluation was `residual_alone`, at the trial.
     """
     work, tolerance = case.work, case.tolerance
-    increment = np.inf
+    increment = np.inf if target.dof >= 0 else 0.0  # what nothing drives may be in equilibrium where it is
     norm = np.inf
     least = np.inf
     improved = 0
     damping = way.damping
-    anchored = case.ends.mode[0] == ANCHORED and case.ends.mode[1] == ANCHORED
-    slides = way.slides and anchored and not target.bonded
+    place_ends(case)
+    slides = slides_along(case, target)
     reused = np.inf  # residual at the last use of a tangent that is not of its place
     for iteration in range(way.most):
         looked = norm <= NEAR

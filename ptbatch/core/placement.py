@@ -6,10 +6,10 @@ What the kernels of an iteration need of that is in `work`, see there.
 
 from ptbatch.core.anchorage import anchor, end_position
 from ptbatch.core.banded import half_width
-from ptbatch.core.contact import UNKNOWN, masters, project, segment
+from ptbatch.core.contact import UNKNOWN, masters, pace, project, segment
 from ptbatch.core.jit import cos_sin, kernel
 from ptbatch.core.model import beam_dof, tendon_dof
-from ptbatch.core.slide import slide
+from ptbatch.core.slide import slide, turns_round
 from ptbatch.core.truss import stretch, tensions, unit
 from ptbatch.core.turning import roughness
 
@@ -132,9 +132,24 @@ def place_tendon(model, state, u, work):
 
 
 @kernel
+def find_paces(model, u, work):
+    """work.pace of the inner tendon nodes, as placed, along work.axis: the beam, and the duct with it, is not
+    as long as at rest."""
+    for j in range(1, model.x.size):
+        gather_contact(j, model, u, work)
+        seg = segment(work.segment[j], model)
+        px, py = duct_at(j, seg, work)
+        axis = work.axis[j, 0], work.axis[j, 1]
+        work.pace[j] = pace(work.q8, px, py, work.xi[j], axis, seg)
+
+
+@kernel
 def slide_tendon(model, state, u, work):
     """Move the tendon, as placed, along the duct to where friction balances it: its nodes in u, and what
-    `place_tendon` found. Both its ends are anchored."""
+    `place_tendon` found. Both its ends stand still."""
+    if not turns_round(model, state, work):
+        return
+    find_paces(model, u, work)
     if slide(model, state, work):
         for j in range(1, model.x.size):
             for i in range(2):

@@ -48,7 +48,7 @@ def ramp(case, stage, load_from, load_to, end_from, end_to, bonded, first):
         if rest > 0:
             status, iterations, error, rest = settle(case, target, rest)
         else:
-            status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0, True)
+            status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
         if status == CONVERGED:
             accept(case, stage, 0.0, iterations, error)
             done = share
@@ -119,7 +119,7 @@ def settle(case, target, rest):
     if status == CONVERGED:
         error = max(error, imbalance_as_evaluated(case, target, 0.0))
     if status != CONVERGED or error > case.tolerance.statics:
-        status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0, True)
+        status, _, iterations, error = find_equilibrium(case, target, 0.0, 0.0)
         spent += iterations
     state.s[:] = place
     return status, spent, error, rest

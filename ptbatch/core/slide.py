@@ -18,14 +18,20 @@ ROUND_OFF = 1e-6  # of a friction force
 
 
 @kernel
-def slide(model, state, work):
-    """Find how far the inner tendon nodes slide (work.ahead, along work.axis) until friction balances the
-    tensions, if these grow with the elements' lengths as they do now; false where no node has begun to move
-    in another way since the last tangent, or next to nothing is out of balance."""
+def turns_round(model, state, work):
+    """Lay the chain out; whether a node has begun to move in another way since the last tangent, and more
+    than next to nothing is out of balance."""
     n, contact = model.x.size - 1, model.contact
     lay_out(n, work, contact)
-    if not turns(n, state, work, contact):
-        return False
+    return turns(n, state, work, contact)
+
+
+@kernel
+def slide(model, state, work):
+    """Find how far the inner tendon nodes, as laid out, slide (work.ahead, along work.axis) until friction
+    balances the tensions, if these grow with the elements' lengths as they do now, and the nodes' ways along
+    the duct by work.pace; false where friction would have it otherwise."""
+    n, contact = model.x.size - 1, model.contact
     find_senses(n, state, work, contact)
     solve(n, state, work, contact)
     return agrees(n, state, work, contact)
@@ -88,7 +94,8 @@ def find_senses(n, state, work, contact):
         a3, a4, g3, g4 = work.along[j, 0], work.along[j, 1], work.grip[j, 0], work.grip[j, 1]
         # T4 of a node that slides back, slides on, sticks: back * T3, on * T3, by_0 + by_t * T3 + by_x * x
         back, on = (a3 - g3) / (a4 + g4), (a3 + g3) / (a4 - g4)
-        by_0, by_t, by_x = stuck(j, state, work, contact) / a4, a3 / a4, contact.tangential / a4
+        by_0, by_t = stuck(j, state, work, contact) / a4, a3 / a4
+        by_x = contact.tangential * work.pace[j] / a4
         low = 0  # kinks below where the node ceases to slide back, and below where it begins to slide on
         while low < size and by_0 + (by_t - back) * T[low] + by_x * x[low] <= 0.0:
             low += 1
@@ -143,7 +150,7 @@ def solve(n, state, work, contact):
         a3, a4, k3, k4 = work.along[j, 0], work.along[j, 1], work.slope[j - 1], work.slope[j]
         by3, by4, spring, force = a3, a4, 0.0, 0.0
         if work.sense[j] == STICKING:
-            spring, force = contact.tangential, stuck(j, state, work, contact)
+            spring, force = contact.tangential * work.pace[j], stuck(j, state, work, contact)
         else:
             sign = 1.0 if work.sense[j] == FORWARD else -1.0
             by3 += sign * work.grip[j, 0]
@@ -166,7 +173,7 @@ def agrees(n, state, work, contact):
     does not where the tendon would be slack."""
     for j in range(1, n + 1):
         capacity = work.grip[j, 0] * tension(j - 1, work) + work.grip[j, 1] * tension(j, work)
-        trial = stuck(j, state, work, contact) + contact.tangential * work.ahead[j]
+        trial = stuck(j, state, work, contact) + contact.tangential * work.pace[j] * work.ahead[j]
         near = ROUND_OFF * (abs(capacity) + UNEVEN * abs(work.T[j]))
         if work.sense[j] == STICKING:
             if not abs(trial) <= capacity + near:

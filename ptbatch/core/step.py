@@ -5,30 +5,27 @@ import numpy as np
 from ptbatch.core.equilibrium import imbalance_as_evaluated
 from ptbatch.core.history import commit, record, rewind
 from ptbatch.core.jit import kernel
-from ptbatch.core.newton import CONVERGED, Way, equilibrate
+from ptbatch.core.newton import CONVERGED, Way, equilibrate, pulled
 
 # What is tried in turn. Whole Newton steps are all that most steps need. A section that cracks at once may
-# leave no equilibrium near by: damped steps lead on to the next one, slowly where they must; between
-# these the tendon does not slide, for beyond crushing fewer would arrive. Searched steps are for what
-# turns to and fro.
+# leave no equilibrium near by: damped steps lead on to the next one, slowly where they must. Searched steps
+# are for what turns to and fro.
 WAYS = (
-    Way(20, 4, 0.0, 1.0, False, True),
-    Way(40, 40, 0.2, 0.7, False, False),
-    Way(30, 4, 0.0, 1.0, True, True),
+    Way(20, 4, 0.0, 1.0, False),
+    Way(40, 40, 0.2, 0.7, False),
+    Way(30, 4, 0.0, 1.0, True),
 )
-# Where no step went before in the same direction, one node of a tendon that is not anchored may turn round
-# after the other before the residual falls.
-AFRESH = Way(100, 40, 0.0, 1.0, False, True)
+# While a jack pulls, one tendon node may turn round after the other before the residual falls.
+PULLING = Way(100, 40, 0.0, 1.0, False)
 SPENT = 3  # a status beside those of `equilibrate`: the budget of iterations is used up
 UNBALANCED = 4  # and: the iteration converged to what statics does not confirm
 
 
 @kernel
-def find_equilibrium(case, target, factor, ahead, afresh):
+def find_equilibrium(case, target, factor, ahead):
     """Look for equilibrium from the committed state; returns (status, factor, iterations, largest imbalance).
 
-    ahead: of the last recorded change of displacements, what to start the first way with. afresh: no step
-    went before in the same direction.
+    ahead: of the last recorded change of displacements, what to start the first way with.
     """
     spent = 0
     status = SPENT
@@ -41,7 +38,7 @@ def find_equilibrium(case, target, factor, ahead, afresh):
         guess = factor
         if k == 0 and ahead > 0.0:
             guess += extrapolate(ahead, case)
-        way = AFRESH if k == 0 and afresh else WAYS[k]
+        way = PULLING if k == 0 and pulled(case.ends) else WAYS[k]
         status, reached, iterations, error = equilibrate(case, target, guess, way)
         spent += iterations
         case.work.spent[0] += iterations

@@ -60,6 +60,7 @@ class Work(NamedTuple):
     # The tendon as a chain, see `slide`, of its nodes:
     ahead: np.ndarray  # (n+2,) how far they move on; zero at the anchors
     axis: np.ndarray  # (n+2, 2) in which direction
+    pace: np.ndarray  # (n+2,) by how much that takes them along the duct at rest, as a share of it
     along: np.ndarray  # (n+2, 2) cosines of the chords left and right to that
     grip: np.ndarray  # (n+2, 2) most friction by the tensions left and right
     sense: np.ndarray  # (n+2,) int, how they move along the duct
@@ -111,7 +112,9 @@ def new_work(n: int, half: int) -> Work:
         *complex_scratch,
         np.zeros((7, 2)),
         np.zeros(n + 2),
-        *[np.zeros((n + 2, 2)) for _ in range(3)],
+        np.zeros((n + 2, 2)),
+        np.ones(n + 2),
+        *[np.zeros((n + 2, 2)) for _ in range(2)],
         np.zeros(n + 2, np.int64),
         *[np.zeros(n + 2) for _ in range(2)],
         *[np.zeros(2 * n + 1) for _ in range(2)],
