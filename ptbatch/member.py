@@ -133,6 +133,13 @@ class Member:
         whole = self.n_strands or 1
         return self.Aps * (whole - self.n_strands_lost) / whole
 
+    @cached_property
+    def all_bars(self) -> tuple[Bar, ...]:
+        """Bars of the columns As and As_top, which run through, and of the sheet `rebar`."""
+        own = [*zip(self.As, self.ds, strict=False), *zip(self.As_top, self.ds_top, strict=False)]
+        through = (Bar(0.0, self.total_length, depth, area, self.fy) for area, depth in own if area > 0.0)
+        return (*through, *self.bars)
+
     @property
     def supports(self) -> tuple[str, ...]:
         """Kind of every support. Interior ones are rollers; where no end holds the member lengthwise, the

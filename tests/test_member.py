@@ -6,8 +6,10 @@ from math import sqrt
 import numpy as np
 import pytest
 
+from ptbatch.analysis import prepare
 from ptbatch.geometry.profile import ideal_profile
 from ptbatch.member import Bar, Load, Member, MemberError
+from ptbatch.model.arrays import set_up
 from ptbatch.rules.plausible import WARNINGS as BUILT_RULES
 from ptbatch.validation import TABLES, member_faults
 from ptbatch.workbook.columns import MEMBERS
@@ -172,6 +174,31 @@ def test_two_ends_that_cannot_move_are_warned_about(left, right):
 @pytest.mark.parametrize("changes", [{"bw": 150}, {"P_live": 1000}, {"live": "midspan", "w_live": 5}])
 def test_unused_values_are_warned_about(changes):
     assert ["not used" in fault.wrong for fault in Member(**SOUND, **changes).warnings] == [True]
+
+
+@pytest.mark.parametrize(
+    ("changes", "own"),
+    [
+        ({"As": 0}, []),  # and no depth for it
+        ({"As": (0, 0), "As_top": 300, "ds_top": 50}, [(50.0, 300.0)]),
+        ({"As": (0, 400), "ds": (0, 550), "As_top": (0,)}, [(550.0, 400.0)]),
+    ],
+)
+def test_bars_without_an_area_are_none(changes, own):
+    sheet = Bar(1000.0, 6000.0, 540.0, 200.0, 500.0)
+    member = Member(**SOUND, **changes, bars=[sheet])
+    through = [Bar(0.0, member.total_length, depth, area, member.fy) for depth, area in own]
+    assert member.all_bars == (*through, sheet)
+    areas = prepare(set_up(member), member.fpj).rig.case.model.bar_area
+    assert areas[0].tolist() == [*(area for _, area in own), 0.0]  # the sheet's begin farther on
+
+
+@pytest.mark.parametrize(
+    "changes", [{"elements": 10**15}, {"elements": 2001, "wobble": "sine"}, {"layers": 10**9}]
+)
+def test_a_mesh_that_no_machine_can_bear_is_refused(changes):
+    (found,) = faults(**changes).values()
+    assert "more than" in found
 
 
 def test_free_tendon_needs_no_depths():

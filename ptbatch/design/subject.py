@@ -205,10 +205,8 @@ class Subject:
 
     def bars(self, x: float) -> list[Bar]:
         """Bars at a place."""
-        member = self.member
-        own = zip(member.As + member.As_top, member.ds + member.ds_top, strict=True)
-        whole = [Bar(0.0, member.total_length, depth, area, member.fy) for area, depth in own if area > 0.0]
-        return [*whole, *(bar for bar in member.bars if bar.x_start <= x <= bar.x_end)]
+        near = 1e-9 * self.member.total_length
+        return [bar for bar in self.member.all_bars if bar.x_start - near <= x <= bar.x_end + near]
 
     def span_at(self, x: float) -> float:
         """Length of the longest span that a place belongs to [mm]."""

@@ -118,13 +118,8 @@ def _bars(member: Member, x: Array, centroid: float) -> tuple[Array, Array, Arra
     """Heights (r,), areas by element (n, r) and yield stresses (r,) of all bars with an area."""
     middle = 0.5 * (x[1:] + x[:-1])
     rows = [
-        (depth, np.full(len(middle), area), member.fy)
-        for area, depth in zip(member.As + member.As_top, member.ds + member.ds_top, strict=True)
-        if area > 0.0
-    ]
-    rows += [
         (bar.depth, np.where((middle > bar.x_start) & (middle < bar.x_end), bar.area, 0.0), bar.fy)
-        for bar in member.bars
+        for bar in member.all_bars
     ]
     if not rows:
         return np.zeros(0), np.zeros((len(middle), 0)), np.zeros(0)

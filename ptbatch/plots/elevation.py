@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from ptbatch.along import Bar, Load
+from ptbatch.along import Load
 from ptbatch.geometry.profile import tendon_profile
 from ptbatch.geometry.section import gross_section
 from ptbatch.member import Member
@@ -101,17 +101,10 @@ def _anchors(axes: Axes, member: Member, depths: Iterable[float]) -> None:
 
 
 def _bars(axes: Axes, member: Member) -> None:
-    for bar in all_bars(member):
+    for bar in member.all_bars:
         axes.plot(
             [bar.x_start / 1e3, bar.x_end / 1e3], 2 * [bar.depth], color=style.BARS, linewidth=1.0, gid="bars"
         )
-
-
-def all_bars(member: Member) -> list[Bar]:
-    """Bars of the member's own columns and of the sheet `rebar`."""
-    own = zip(member.As + member.As_top, member.ds + member.ds_top, strict=True)
-    whole = [Bar(0.0, member.total_length, depth, area, member.fy) for area, depth in own if area > 0.0]
-    return [*whole, *member.bars]
 
 
 def _load_row(axes: Axes, member: Member, loads: list[Load], top: float, ink: str) -> None:
@@ -136,7 +129,7 @@ def _arrow(axes: Axes, x: float, tail: float, tip: float, ink: str, width: float
 def _key(member: Member, system: System) -> list[Line2D]:
     """What the lines are, with their sizes."""
     depths = tendon_line(member)[1]
-    bars = Counter((bar.depth, bar.area) for bar in all_bars(member))
+    bars = Counter((bar.depth, bar.area) for bar in member.all_bars)
     length, (_, per_area) = shown("mm", system), shown("mm2", system)
     steel = "; ".join(
         f"{style.small(area * per_area)} at {depth * length[1]:.6g}" for depth, area in sorted(bars)

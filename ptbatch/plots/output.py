@@ -2,6 +2,7 @@
 
 import os
 import re
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -65,7 +66,8 @@ def save(figures: Sequence[Figure], path: Path) -> Path:
 
 
 def _write(figures: Sequence[Figure], path: Path, suffix: str) -> None:
-    with rc_context(style.RC):
+    with rc_context(style.RC), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")  # a name has it, and it is a box
         if suffix == ".pdf":
             with PdfPages(path, metadata=UNDATED[suffix]) as pages:
                 for figure in figures:

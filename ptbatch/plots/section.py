@@ -9,7 +9,7 @@ from matplotlib.path import Path
 
 from ptbatch.member import Member
 from ptbatch.plots import style
-from ptbatch.plots.elevation import all_bars, tendon_line
+from ptbatch.plots.elevation import tendon_line
 from ptbatch.workbook.column import System
 from ptbatch.workbook.systems import shown
 
@@ -19,7 +19,7 @@ COVER = 0.1  # of the width there: bars keep this far from the sides
 def draw_section(axes: Axes, member: Member, system: System) -> None:
     """Section with its outer sizes in mm or in."""
     axes.add_patch(PathPatch(outline(member), facecolor=style.CONCRETE, edgecolor=style.INK, linewidth=0.9))
-    for bar in all_bars(member):
+    for bar in member.all_bars:
         _bar_row(axes, member, bar.depth, bar.x_end - bar.x_start < 0.999 * member.total_length)
     depths = tendon_line(member)[1]
     for depth, fill in ((depths.min(), "white"), (depths.max(), style.TENDON)):

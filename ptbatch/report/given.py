@@ -82,7 +82,7 @@ def _used(member: Member, name: str) -> bool:
     if name == "n_strands_lost":
         return member.n_strands_lost > 0
     if name in STEEL:
-        return bool(member.As or member.As_top or member.bars)
+        return bool(member.all_bars)
     if name in ONLY_WHERE:
         return member.profile == ONLY_WHERE[name] and not member.profile_points
     return not (name == "profile" and member.profile_points)

@@ -9,6 +9,7 @@ import numpy as np
 from ptbatch.geometry.profile import ideal_profile, tendon_profile
 from ptbatch.geometry.wobble import FEWEST, stretches
 from ptbatch.rules.fault import Fault, Rule, Values, rule
+from ptbatch.rules.mesh import elements_bearable
 from ptbatch.rules.tendon import path_is_sound
 from ptbatch.tendon_losses import PATH
 
@@ -65,7 +66,8 @@ def waves_fit(v: Values) -> Iterator[Fault]:
 
 
 def _has_waves(v: Values) -> bool:
-    return bool(v["wobble"] == "sine" and v["mu"] and v["K"] and path_is_sound(v))
+    wanted = v["wobble"] == "sine" and v["mu"] and v["K"]
+    return bool(wanted and path_is_sound(v) and not elements_bearable(v))
 
 
 RULES: tuple[Rule, ...] = (wobble_given_once, waves_have_friction, waves_resolved, waves_fit)

@@ -88,6 +88,13 @@ def test_geometry_of_an_input(source, tmp_path, capsys):
     assert plot(source, "--geometry", "--figure", "stress", "--member", "simple") == 2
 
 
+def test_letters_that_the_font_has_not_are_no_message(book, beam, tmp_path, capsys, recwarn):
+    path = book(beam | {"member": "名前"})
+    assert plot(path, "--member", "名前", "--geometry", "-o", tmp_path / "a.pdf") == 0
+    assert capsys.readouterr().err == f"written: {tmp_path / 'a.pdf'}\n"
+    assert not recwarn.list
+
+
 def test_geometry_shows_a_tendon_outside_the_section(source, tmp_path, capsys):
     assert plot(source, "--geometry", "--member", "outside", "-o", tmp_path / "a.png") == 3
     assert "the tendon at 650 mm lies outside the section" in capsys.readouterr().err
