@@ -85,26 +85,31 @@ def dot4(w, p):
 
 
 @kernel
-def projection_step(q, px, py, xi, seg):
-    """One Newton step of eq. (2): the root of (x_s - p(xi)) . p'(xi). px, py: see `masters`."""
+def foot(q, px, py, xi, seg):
+    """The slave over a point xi of the duct: its distance (x, y), the duct's derivative there (x, y), and how
+    much of that changes eq. (2) as xi does. px, py: see `masters`."""
     w, w1, w2 = shape(xi, seg.smooth)
     rx = q[0] - dot4(w, px)
     ry = q[1] - dot4(w, py)
     tx = dot4(w1, px)
     ty = dot4(w1, py)
     bend = rx * dot4(w2, px) + ry * dot4(w2, py)
-    return xi + (rx * tx + ry * ty) / (tx * tx + ty * ty - bend)
+    return (rx, ry), (tx, ty), tx * tx + ty * ty - bend
+
+
+@kernel
+def projection_step(q, px, py, xi, seg):
+    """One Newton step of eq. (2): the root of (x_s - p(xi)) . p'(xi). px, py: see `masters`."""
+    r, t, change = foot(q, px, py, xi, seg)
+    return xi + (r[0] * t[0] + r[1] * t[1]) / change
 
 
 @kernel
 def pace(q, px, py, xi, u, seg):
     """Arc length along the duct at rest by which the slave's projection moves on as the slave moves by one in
     the direction u; q, px, py, xi: as of `project`, which has found xi."""
-    w, w1, w2 = shape(xi, seg.smooth)
-    rx, ry = q[0] - dot4(w, px), q[1] - dot4(w, py)
-    tx, ty = dot4(w1, px), dot4(w1, py)
-    bend = rx * dot4(w2, px) + ry * dot4(w2, py)
-    return seg.ds * (u[0] * tx + u[1] * ty) / (tx * tx + ty * ty - bend)
+    _, t, change = foot(q, px, py, xi, seg)
+    return seg.ds * (u[0] * t[0] + u[1] * t[1]) / change
 
 
 @kernel

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 from ptbatch.rules.fault import Fault, Rule, Values, counted, rule
 
-# A finer one finds nothing new: an element is then shorter than a hundredth of a span, a layer thinner than a
-# thousandth of any section
+# Far beyond what a result depends on. A member of so many elements takes seconds and 0.2 GB.
 MOST_ELEMENTS, MOST_LAYERS = 2_000, 1_000
 
 

@@ -110,7 +110,8 @@ def _inputs(path: Path, source: Source, optional: Mapping[str, RawSheet], settin
     errors = [problem for problem in settings.problems if not problem.warning]
     typed = [found.typed for columns in table.found.values() for found in columns]
     system = settings.units or typical(typed)
-    reader = RowReader(table, settings.defaults, attached, names.repeated, errors, system)
+    units = settings.system, system
+    reader = RowReader(table, settings.defaults, attached, names.repeated, errors, *units)
     problems = [*settings.problems, *table.problems, *(p for rows in joined.values() for p in rows.problems)]
     with path.open("rb") as file:
         digest = file_digest(file, "sha256").hexdigest()

@@ -15,8 +15,9 @@ from ptbatch.workbook.joined import BUILDERS, Attached
 from ptbatch.workbook.problems import Place, Problem, message
 from ptbatch.workbook.read import Block
 from ptbatch.workbook.settings import Setting
-from ptbatch.workbook.systems import sentence_in
+from ptbatch.workbook.systems import NEUTRAL, sentence_in
 from ptbatch.workbook.table import Table
+from ptbatch.workbook.units import is_us
 
 ALTERNATIVES = {"fpj": "fpe", "fpe": "fpj", "K": "k_ec2", "k_ec2": "K"}
 
@@ -48,7 +49,7 @@ class RowReader:
     """Reads the rows of one workbook.
 
     attached: rows of the optional sheets by sheet name, then by member. repeated: rows that share a name.
-    system: of the units that faults are told in.
+    unnamed: unit system of headers without a unit. system: that of most headers.
     """
 
     def __init__(
@@ -58,10 +59,11 @@ class RowReader:
         attached: Mapping[str, Mapping[str, Attached]],
         repeated: Mapping[str, list[int]],
         errors: list[Problem],
+        unnamed: System,
         system: System,
     ) -> None:
         self.table, self.defaults, self.attached = table, defaults, attached
-        self.repeated, self.system = repeated, system
+        self.repeated, self.unnamed, self.system = repeated, unnamed, system
         self.errors = errors + table.errors()
 
     def over(self, block: Block) -> "RowReader":
@@ -128,14 +130,23 @@ class RowReader:
         """A fault with its place: the cell, the setting it came from, or the row of an optional sheet."""
         if item := _ITEM.fullmatch(fault.column):
             rows, index = attached[_SHEET_OF[item[1]]], int(item[2])
-            place, raw = rows.place(index, item[3]), rows.table.raw(rows.numbers[index], item[3])
+            table, line, name = rows.table, rows.numbers[index], item[3]
+            place, raw = rows.place(index, name), table.raw(line, name)
         else:
-            place, raw = self._where(fault.column, number)
+            table, line, name = self.table, number, fault.column
+            place, raw = self._where(name, line)
         wrong = fault.wrong
         if wrong == "missing" and fault.column not in self.table.found:
             wrong = "there is no such column"
-        wrong, cure = (sentence_in(text, self.system) for text in (wrong, fault.cure))
-        return Problem(place, raw, wrong, cure, warning)
+        system = self._system(table, line, name)
+        return Problem(place, raw, sentence_in(wrong, system), sentence_in(fault.cure, system), warning)
+
+    def _system(self, table: Table, row: int, name: str) -> System:
+        """Unit system that a cell is in; where it is blank or has no unit, that of most headers."""
+        found = table.at(row, name)
+        if found is None or found.column.unit("SI") in NEUTRAL:
+            return self.system
+        return "US" if is_us(found.unit or found.column.unit(self.unnamed)) else "SI"
 
     def _where(self, name: str, number: int) -> tuple[Place, Any]:
         raw = self.table.raw(number, name)

@@ -132,7 +132,7 @@ def test_the_tendon_lies_nearer_to_balance_where_it_was_moved_to(kind, left, see
 
 @pytest.mark.parametrize("kind", LOOSE)
 def test_pace_is_the_way_along_the_duct_at_rest(kind):
-    """Closed form: by a difference quotient; not one, for the beam is pressed and bent."""
+    """By a difference quotient. It is not one, for the beam is pressed and bent."""
     run = anchored(KINDS[kind] | NODES)
     u, work = disturbed(run, 1.0, 1), run.rig.case.work
     place(run.rig.handle, u)

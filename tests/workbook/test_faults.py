@@ -85,6 +85,16 @@ def test_problem_shows_the_cell_as_typed(book, beam):
     )
 
 
+def test_faults_are_told_in_the_units_of_the_cell(book, beam):
+    """Whatever the other headers are in."""
+    row = beam | {"dp": "300; 700; 300", "fpj [ksi]": 290}
+    del row["fpj"]
+    assert "lies outside the section, which is 600 mm deep" in faults(book(row))["G2"]
+    row = row | {"dp [in]": "12; 28; 12"}
+    del row["dp"]
+    assert "the tendon at 28 in lies outside" in faults(book(row))["H2"]
+
+
 def test_missing_column_is_reported_once(book, beam):
     del beam["fc"]
     found = problems(book(beam, beam | {"member": "B2"}))
