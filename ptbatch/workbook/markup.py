@@ -4,8 +4,9 @@ openpyxl has no public way to write such rows. Where it is built in another way 
 lxml), `takes_markup` says no, and rows go the usual way.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from itertools import repeat
 from math import inf
 from typing import Any
 from xml.sax.saxutils import escape
@@ -84,48 +85,62 @@ def in_row(value: Any, row: int | str) -> Any:
     return value._replace(text=value.text.format(row=row)) if isinstance(value, Formula) else value
 
 
+Pieces = list[Iterable[str]]  # of which the cells of a column are made, one after the other
+
+
 def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], first: int) -> Markup | None:
     """Rows of cells from the row `first` on, column by column; None where a value is nothing for Markup."""
     rows = [str(row) for row in range(first, first + len(columns[0]))]
-    cells = []
+    pieces: Pieces = [repeat('<row r="'), rows, repeat('">')]
     for values, style in zip(columns, styles, strict=True):
-        column = _numbers(values, style, rows) or _mixed(values, style, rows)
-        if None in column:
+        cells = _numbers(values, style, rows) or _texts(values, style, rows) or _mixed(values, style, rows)
+        if cells is None:
             return None
-        cells.append(column)
-    lines = zip(rows, map("".join, zip(*cells, strict=True)), strict=True)
-    return Markup("".join([f'<row r="{row}">{line}</row>' for row, line in lines]))
+        pieces += cells
+    pieces.append(repeat("</row>"))
+    return Markup("".join(map("".join, zip(*pieces, strict=False))))  # as far as there are rows
 
 
-def _numbers(values: Sequence[Any], style: Styles, rows: Sequence[str]) -> list[str] | None:
-    """Cells of a column of finite fractions, as nearly all are; None where there is anything else in it."""
-    if set(map(type, values)) != {float}:
+def _numbers(values: Sequence[Any], style: Styles, rows: Sequence[str]) -> Pieces | None:
+    """Cells of a column of finite fractions, or of whole numbers; None where there is anything else in it."""
+    kinds = set(map(type, values))
+    if kinds == {int}:  # which may have more digits than orjson writes
+        behind, digits = style.whole, list(map(str, values))
+    elif kinds == {float}:
+        behind, digits = style.fraction, _digits(values)
+    else:
         return None
-    texts = orjson.dumps(values).decode()  # the digits of repr(), many times as fast
-    if "null" in texts:
+    if "null" in digits:
         return None
-    start, fraction = style.start, style.fraction
-    return [
-        f"{start}{row}{fraction}{text}</v></c>"
-        for row, text in zip(rows, texts[1:-1].split(","), strict=True)
-    ]
+    return [repeat(style.start), rows, repeat(behind), digits, repeat("</v></c>")]
 
 
-def _mixed(values: Sequence[Any], style: Styles, rows: Sequence[str]) -> list[str | None]:
-    """Cells of any column; None in place of a value that is nothing for Markup."""
-    start, fraction, whole, texts, cell = style.start, style.fraction, style.whole, style.texts, style.cell
-    return [
+def _digits(values: Sequence[Any]) -> list[str]:
+    """What repr() makes of fractions, many times as fast; null where one is not finite."""
+    return orjson.dumps(values).decode()[1:-1].split(",")
+
+
+def _texts(values: Sequence[Any], style: Styles, rows: Sequence[str]) -> Pieces | None:
+    """Cells of a column of texts; None where there is anything else in it."""
+    if set(map(type, values)) != {str} or "" in values:
+        return None
+    return [repeat(style.start), rows, [style.texts[text] for text in values]]
+
+
+def _mixed(values: Sequence[Any], style: Styles, rows: Sequence[str]) -> Pieces | None:
+    """Cells of any column; None where there is a value that is nothing for Markup."""
+    start, fraction, texts, cell = style.start, style.fraction, style.texts, style.cell
+    digits = iter(_digits([value for value in values if type(value) is float and -inf < value < inf]))
+    cells = [
         f"{start}{row}{texts[value]}"
-        if type(value) is str and value  # most of them
-        else ""
-        if value is None
-        else f"{start}{row}{whole}{value}</v></c>"
-        if type(value) is int
-        else f"{start}{row}{fraction}{value!r}</v></c>"
+        if type(value) is str and value
+        else f"{start}{row}{fraction}{next(digits)}</v></c>"
         if type(value) is float and -inf < value < inf
         else cell(value, row)
         for row, value in zip(rows, values, strict=True)
     ]
+    known = [text for text in cells if text is not None]
+    return [known] if len(known) == len(cells) else None
 
 
 @dataclass

@@ -105,6 +105,19 @@ def test_columns_of_numbers_keep_every_digit(tmp_path):
     assert second == [*numbers[:-1], "not a finite number"]
 
 
+@pytest.mark.parametrize("column", [[0, -7, 2**70], [0, None, 2.5, True, False, "", "a", 0.0], [None, None]])
+def test_columns_of_one_kind_and_of_several(tmp_path, column):
+    """Zero and no are not blank."""
+    book = write.Book()
+    page = book.page("s", ["member", "value"])
+    page.extend([["A"] * len(column), column])
+    sheet = load_workbook(book.save(tmp_path / "s.xlsx"))["s"]
+    found = [cell.value for cell in sheet["B"][1:]]
+    assert [(value, type(value)) for value in found] == [
+        (value, type(value)) if value != "" else (None, type(None)) for value in column
+    ]
+
+
 def test_a_sheet_that_has_no_room_for_all_takes_none(tmp_path, monkeypatch):
     monkeypatch.setattr("ptbatch.workbook.page.LAST_ROW", 4)
     book = write.Book()
