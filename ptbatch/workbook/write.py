@@ -5,17 +5,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
-from zipfile import ZIP_DEFLATED, ZipFile
+from zipfile import ZipFile
 
 from defusedxml.ElementTree import fromstring
 from openpyxl import Workbook
 from openpyxl.writer.excel import ExcelWriter
 
 from ptbatch.errors import WriteError
+from ptbatch.workbook.packing import Archive, Packer
 from ptbatch.workbook.page import Page
 
 NAMES_TRIED = 99
-FAST = 2  # of zlib: half the time that its usual level takes, for a file that is a seventh larger
 SHEET = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}sheet"
 
 Dress = Callable[[Any], None]
@@ -39,6 +39,7 @@ class Book:
 
     def __init__(self) -> None:
         self._book = Workbook(write_only=True)
+        self._packer = Packer()
 
     @property
     def names(self) -> list[str]:
@@ -65,7 +66,9 @@ class Book:
         sheet = self.sheet(name, place)
         if dress:
             dress(sheet)
-        return Page(sheet, headers, notes)
+        page = Page(sheet, headers, notes)
+        self._packer.follow(sheet._writer.out)
+        return page
 
     def save(self, path: Path, replace: bool = True) -> Path:
         """Save it and return its path: the next free name if the file is there and held open.
@@ -78,13 +81,14 @@ class Book:
         temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         with unwritable(path):
             try:
-                _save(self._book, temporary)
+                _save(self._book, temporary, self._packer)
                 return _move(temporary, path)
             finally:
                 temporary.unlink(missing_ok=True)
 
     def discard(self) -> None:
         """Delete the temporary files of a workbook that is not saved, or not saved any more."""
+        self._packer.discard()
         for sheet in self._book.worksheets:
             with suppress(Exception):  # whatever is wrong with it, it is given up
                 if not sheet.closed:
@@ -115,11 +119,11 @@ def unwritable(path: Path) -> Iterator[None]:
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
 
 
-def _save(book: Any, path: Path) -> None:
+def _save(book: Any, path: Path, packer: Packer) -> None:
     """Write, force to disk, and read back what was written."""
+    packer.stop()
     with path.open("xb") as file:
-        archive = ZipFile(file, "w", ZIP_DEFLATED, compresslevel=FAST)
-        ExcelWriter(book, archive).save()  # closes the archive; book.save() knows of no level
+        ExcelWriter(book, Archive(file, packer)).save()  # closes the archive; book.save() knows of no level
         file.flush()
         os.fsync(file.fileno())
     with ZipFile(path) as written:
