@@ -82,10 +82,10 @@ def turns(n, state, work, contact):
 
 @inlined
 def find_senses(n, state, work, contact):
-    """work.sense of all nodes in equilibrium, from the line that the kinks (work.moved, work.pull: how far
-    and the tension there; work.turner: whose, less than zero where that slides back) are on, from the lowest
-    to the highest."""
-    x, T, whose = work.moved, work.pull, work.turner
+    """work.sense of all nodes in equilibrium, from the line that the kinks (work.kinks, work.turner: how far
+    and the tension there; whose, less than zero where that slides back) are on, from the lowest to the
+    highest."""
+    x, T, whose = kinks(0, work)
     x[0], T[0], whose[0] = 0.0, work.T[0], 0  # a point of the first line, which has no kink
     size = 1
     before = (1.0, work.slope[0] * work.along[1, 0])  # how the line goes on below the lowest kink
@@ -96,36 +96,56 @@ def find_senses(n, state, work, contact):
         back, on = (a3 - g3) / (a4 + g4), (a3 + g3) / (a4 - g4)
         by_0, by_t = stuck(j, state, work, contact) / a4, a3 / a4
         by_x = contact.tangential * work.pace[j] / a4
-        low = 0  # kinks below where the node ceases to slide back, and below where it begins to slide on
-        while low < size and by_0 + (by_t - back) * T[low] + by_x * x[low] <= 0.0:
-            low += 1
-        high = low
-        while high < size and by_0 + (by_t - on) * T[high] + by_x * x[high] <= 0.0:
-            high += 1
+        # kinks below where the node ceases to slide back, and below where it begins to slide on
+        low = kinks_below(0, size, x, T, by_0, by_t - back, by_x)
+        high = kinks_below(low, size, x, T, by_0, by_t - on, by_x)
         low_x, low_t = crossing(low, size, x, T, before, beyond, by_0, by_t - back, by_x)
         high_x, high_t = crossing(high, size, x, T, before, beyond, by_0, by_t - on, by_x)
-        for i in range(size - 1, high - 1, -1):
-            x[i + 2], T[i + 2], whose[i + 2] = x[i], T[i] * on, whose[i]
-        for i in range(high - 1, low - 1, -1):
-            x[i + 1], T[i + 1], whose[i + 1] = x[i], by_0 + by_t * T[i] + by_x * x[i], whose[i]
+        at, far, who = kinks(j, work)
         for i in range(low):
-            T[i] *= back
-        x[low], T[low], whose[low] = low_x, low_t * back, -j
-        x[high + 1], T[high + 1], whose[high + 1] = high_x, high_t * on, j
+            at[i], far[i], who[i] = x[i], T[i] * back, whose[i]
+        at[low], far[low], who[low] = low_x, low_t * back, -j
+        for i in range(low, high):
+            at[i + 1], far[i + 1], who[i + 1] = x[i], by_0 + by_t * T[i] + by_x * x[i], whose[i]
+        at[high + 1], far[high + 1], who[high + 1] = high_x, high_t * on, j
+        for i in range(high, size):
+            at[i + 2], far[i + 2], who[i + 2] = x[i], T[i] * on, whose[i]
+        x, T, whose = at, far, who
         size += 2
         # over the element to the next node, or to the anchor, which nothing has turned away from
-        slope, rest = work.slope[j], work.T[j]
         cosine = work.along[j + 1, 0] if j < n else 1.0
+        turned, stretched, rest = a4 / cosine, 1.0 / (work.slope[j] * cosine), work.T[j]
         for i in range(size):
-            x[i] = (x[i] * a4 + (T[i] - rest) / slope) / cosine
-        before = ((before[0] * a4 + before[1] * back / slope) / cosine, before[1] * back)
-        beyond = ((beyond[0] * a4 + beyond[1] * on / slope) / cosine, beyond[1] * on)
+            x[i] = x[i] * turned + (T[i] - rest) * stretched
+        before = (before[0] * turned + before[1] * back * stretched, before[1] * back)
+        beyond = (beyond[0] * turned + beyond[1] * on * stretched, beyond[1] * on)
         work.sense[j] = STICKING
     for i in range(size):
         if x[i] <= 0.0 and whose[i] > 0:
             work.sense[whose[i]] = FORWARD
         elif x[i] > 0.0 and whose[i] < 0:
             work.sense[-whose[i]] = BACKWARD
+
+
+@inlined
+def kinks(j, work):
+    """Where there is room for the line beyond node j; that before it stays."""
+    side = j % 2
+    return work.kinks[side, 0], work.kinks[side, 1], work.turner[side]
+
+
+@inlined
+def kinks_below(first, size, x, T, by_0, by_t, by_x):
+    """How many kinks, `first` or more, lie before by_0 + by_t T + by_x x, which grows along the line, passes
+    zero."""
+    low, high = first, size
+    while low < high:
+        i = (low + high) // 2
+        if by_0 + by_t * T[i] + by_x * x[i] <= 0.0:
+            low = i + 1
+        else:
+            high = i
+    return low
 
 
 @inlined

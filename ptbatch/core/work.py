@@ -66,9 +66,8 @@ class Work(NamedTuple):
     sense: np.ndarray  # (n+2,) int, how they move along the duct
     diagonal: np.ndarray  # (n+2,)
     upper: np.ndarray  # (n+2,)
-    moved: np.ndarray  # (2n+1,) of the kinks
-    pull: np.ndarray  # (2n+1,)
-    turner: np.ndarray  # (2n+1,) int
+    kinks: np.ndarray  # (2, 2, 2n+1), before a node and beyond it: how far the first one moves, the tension
+    turner: np.ndarray  # (2, 2n+1) int
 
 
 def new_work(n: int, half: int) -> Work:
@@ -117,7 +116,7 @@ def new_work(n: int, half: int) -> Work:
         *[np.zeros((n + 2, 2)) for _ in range(2)],
         np.zeros(n + 2, np.int64),
         *[np.zeros(n + 2) for _ in range(2)],
-        *[np.zeros(2 * n + 1) for _ in range(2)],
-        np.zeros(2 * n + 1, np.int64),
+        np.zeros((2, 2, 2 * n + 1)),
+        np.zeros((2, 2 * n + 1), np.int64),
     ]
     return Work(*arrays)
