@@ -3,6 +3,7 @@
 from ptbatch.member import Member
 
 FINE = 60  # elements of the finer of the two reference meshes
+FOLLOWED = 100.0  # mm of deflection up to which OpenSees follows the reference beam: just short of yield
 
 # The beam that OpenSees was timed with: 15 m, friction, 20 fibre beam elements of 2 sections and 40 layers
 REFERENCE = dict(

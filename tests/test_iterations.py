@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import pytest
 
-from benchmarks.named import NAMED
+from benchmarks.named import FOLLOWED, NAMED, REFERENCE
 from ptbatch.analysis import analyse
 from ptbatch.member import Member
 from ptbatch.response import Response
@@ -86,6 +86,14 @@ def test_anchored_stress(name):
 def test_peak(name):
     wanted, spread = FROZEN[name].peak, FROZEN[name].spread
     assert found(name).peak == pytest.approx(wanted, rel=max(1e-6, 2.0 * spread)), CHANGED.format(wanted)
+
+
+def test_iterations_hardly_depend_on_the_mesh_short_of_yield():
+    """Time then grows with the number of elements alone. 116 and 144 when this was written."""
+    values = REFERENCE | {"deflection_limit": FOLLOWED}
+    few, many = (analyse(Member(member="15 m beam", **values | {"elements": n})) for n in (20, 80))
+    assert few.event("yield") is None
+    assert many.newton_iterations <= SLACK * few.newton_iterations
 
 
 if __name__ == "__main__":

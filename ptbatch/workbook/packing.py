@@ -12,7 +12,10 @@ from typing import Any
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 FAST = 2  # of zlib: half the time that its usual level takes, for a file that is a seventh larger
-LONG = 2**20  # bytes; a shorter sheet takes no time
+LONG, LARGE = (
+    2**20,
+    2**30,
+)  # bytes: a shorter sheet takes no time, a longer one may take another kind of header
 PAUSE = 0.2  # s between two looks at the sheets
 _CHUNK = 2**20
 
@@ -37,13 +40,13 @@ class Packed:
             self.sound = False
 
     def end(self) -> bool:
-        """Compress the rest of a file that grows no more; whether `content` holds it all."""
+        """Compress the rest of a file that grows no more; whether `content` can take its place."""
         self.go_on()
         self._source.close()
         with suppress(OSError):
             self.content.write(self._pack.flush())
             self.content.seek(0)
-            return self.sound
+            return self.sound and self.size < LARGE
         return False
 
     def close(self) -> None:
@@ -116,7 +119,6 @@ class Archive(ZipFile):
         # zipfile cannot be told that content is compressed already: it goes in as it stands, and then the
         # header says what it is
         about = ZipInfo.from_file(filename, arcname)
-        about.file_size = 0  # what is said of it here is not yet the size of what is written
         about.compress_type = ZIP_STORED
         with self.open(about, "w") as part:
             copyfileobj(packed.content, part, _CHUNK)
