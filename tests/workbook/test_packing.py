@@ -1,6 +1,7 @@
 """Sheets that are compressed while they are written."""
 
 import os
+from struct import unpack
 from time import monotonic, sleep
 from zipfile import ZIP_DEFLATED, ZipFile
 
@@ -64,6 +65,12 @@ def test_a_file_that_grows(packer, tmp_path):
         about = archive.getinfo("long")
         assert (about.compress_type, about.file_size) == (ZIP_DEFLATED, len(content))
         assert about.compress_size < 0.5 * len(content)
+        # and the header before the content says what the directory behind all of it does
+        assert archive.fp is not None
+        archive.fp.seek(about.header_offset)
+        _, _, flags, method, _, _, checksum, packed, size, *_ = unpack("<4s5H3L2H", archive.fp.read(30))
+        assert (flags, method, checksum) == (about.flag_bits, ZIP_DEFLATED, about.CRC)
+        assert (packed, size) == (about.compress_size, about.file_size)
 
 
 def test_a_disk_that_has_no_room_for_it(packer, tmp_path):
