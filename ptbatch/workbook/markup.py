@@ -96,6 +96,7 @@ def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], firs
         cells = _numbers(values, style, rows) or _texts(values, style, rows) or _mixed(values, style, rows)
         if cells is None:
             return None
+        assert len(values) == len(rows)
         pieces += cells
     pieces.append(repeat("</row>"))
     return Markup("".join(map("".join, zip(*pieces, strict=False))))  # as far as there are rows
@@ -110,7 +111,7 @@ def _numbers(values: Sequence[Any], style: Styles, rows: Sequence[str]) -> Piece
         behind, digits = style.fraction, _digits(values)
     else:
         return None
-    if "null" in digits:
+    if "null" in digits:  # of what is not finite
         return None
     return [repeat(style.start), rows, repeat(behind), digits, repeat("</v></c>")]
 

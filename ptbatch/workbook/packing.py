@@ -27,7 +27,7 @@ class Packed:
         self._source, self.content = open(path, "rb", buffering=0), TemporaryFile()
         self._pack = zlib.compressobj(FAST, zlib.DEFLATED, -zlib.MAX_WBITS)
         self.size = self.checksum = 0
-        self.sound = True  # or else the disk had no room for it
+        self.sound = True  # or else it is of no use: a disk or a memory had no room for it
 
     def go_on(self) -> None:
         """Compress what has been added."""
@@ -36,17 +36,19 @@ class Packed:
                 self.content.write(self._pack.compress(chunk))
                 self.checksum = zlib.crc32(chunk, self.checksum)
                 self.size += len(chunk)
-        except OSError:
+        except Exception:  # a piece may be missing, and the usual way is open
             self.sound = False
 
     def end(self) -> bool:
         """Compress the rest of a file that grows no more; whether `content` can take its place."""
         self.go_on()
+        whole = self.sound and self.size == os.fstat(self._source.fileno()).st_size < LARGE
         self._source.close()
         with suppress(OSError):
-            self.content.write(self._pack.flush())
-            self.content.seek(0)
-            return self.sound and self.size < LARGE
+            if whole:
+                self.content.write(self._pack.flush())
+                self.content.seek(0)
+                return True
         return False
 
     def close(self) -> None:

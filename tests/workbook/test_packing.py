@@ -73,11 +73,37 @@ def test_a_file_that_grows(packer, tmp_path):
         assert (packed, size) == (about.compress_size, about.file_size)
 
 
-def test_a_disk_that_has_no_room_for_it(packer, tmp_path):
+class Full:
+    """A disk without room, a memory without room."""
+
+    def __init__(self, error):
+        self.error = error
+
+    def write(self, content):
+        raise self.error
+
+    compress = write
+
+    def close(self):
+        pass
+
+
+@pytest.mark.parametrize("part, error", [("content", OSError("full")), ("_pack", MemoryError())])
+def test_no_room_for_it(packer, tmp_path, part, error):
     """The file is compressed when the archive is written."""
     path = tmp_path / "long"
     content = grown(packer, path)
-    packer._packed[str(path)].sound = False
+    setattr(packer._packed[str(path)], part, Full(error))
+    with path.open("ab") as file:
+        file.write(b"more")
+    with archived(packer, path) as archive:
+        assert archive.read("long") == content + b"more"
+
+
+def test_a_piece_that_is_missing(packer, tmp_path):
+    path = tmp_path / "long"
+    content = grown(packer, path)
+    packer._packed[str(path)].size -= 1
     with archived(packer, path) as archive:
         assert archive.read("long") == content
 
