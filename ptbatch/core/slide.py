@@ -101,16 +101,17 @@ def find_senses(n, state, work, contact):
         high = kinks_below(low, size, x, T, by_0, by_t - on, by_x)
         low_x, low_t = crossing(low, size, x, T, before, beyond, by_0, by_t - back, by_x)
         high_x, high_t = crossing(high, size, x, T, before, beyond, by_0, by_t - on, by_x)
-        at, far, who = kinks(j, work)
+        to_x, to_t, to_whose = kinks(j, work)
         for i in range(low):
-            at[i], far[i], who[i] = x[i], T[i] * back, whose[i]
-        at[low], far[low], who[low] = low_x, low_t * back, -j
+            to_x[i], to_t[i], to_whose[i] = x[i], T[i] * back, whose[i]
+        to_x[low], to_t[low], to_whose[low] = low_x, low_t * back, -j
         for i in range(low, high):
-            at[i + 1], far[i + 1], who[i + 1] = x[i], by_0 + by_t * T[i] + by_x * x[i], whose[i]
-        at[high + 1], far[high + 1], who[high + 1] = high_x, high_t * on, j
+            to_x[i + 1], to_t[i + 1] = x[i], by_0 + by_t * T[i] + by_x * x[i]
+            to_whose[i + 1] = whose[i]
+        to_x[high + 1], to_t[high + 1], to_whose[high + 1] = high_x, high_t * on, j
         for i in range(high, size):
-            at[i + 2], far[i + 2], who[i + 2] = x[i], T[i] * on, whose[i]
-        x, T, whose = at, far, who
+            to_x[i + 2], to_t[i + 2], to_whose[i + 2] = x[i], T[i] * on, whose[i]
+        x, T, whose = to_x, to_t, to_whose
         size += 2
         # over the element to the next node, or to the anchor, which nothing has turned away from
         cosine = work.along[j + 1, 0] if j < n else 1.0

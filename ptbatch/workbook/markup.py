@@ -19,6 +19,8 @@ from ptbatch.workbook.stored_values import Formula
 
 TEXTS = 256  # of a column that are kept: most come again and again
 
+Pieces = list[Iterable[str]]  # of which the cells of a column are made, one after the other
+
 
 class Markup(str):
     """Row elements of a sheet."""
@@ -83,9 +85,6 @@ def _style(cell: Any) -> str:
 def in_row(value: Any, row: int | str) -> Any:
     """A formula for that row; anything else as it is."""
     return value._replace(text=value.text.format(row=row)) if isinstance(value, Formula) else value
-
-
-Pieces = list[Iterable[str]]  # of which the cells of a column are made, one after the other
 
 
 def rows_markup(columns: Sequence[Sequence[Any]], styles: Sequence[Styles], first: int) -> Markup | None:

@@ -12,10 +12,8 @@ from typing import Any
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 FAST = 2  # of zlib: half the time that its usual level takes, for a file that is a seventh larger
-LONG, LARGE = (
-    2**20,
-    2**30,
-)  # bytes: a shorter sheet takes no time, a longer one may take another kind of header
+LONG = 2**20  # bytes; a shorter sheet takes no time
+LARGE = 2**30  # bytes; a longer one may take another kind of header
 PAUSE = 0.2  # s between two looks at the sheets
 _CHUNK = 2**20
 

@@ -67,7 +67,8 @@ class Book:
         if dress:
             dress(sheet)
         page = Page(sheet, headers, notes)
-        self._packer.follow(sheet._writer.out)
+        if file := getattr(getattr(sheet, "_writer", None), "out", None):  # openpyxl promises neither
+            self._packer.follow(file)
         return page
 
     def save(self, path: Path, replace: bool = True) -> Path:
